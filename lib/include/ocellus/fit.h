@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Ellipse fitting, direct and bounded: moments of the points, the closed-form
+ * reduction of the 6x6 constrained eigenproblem, one cubic, one null vector.
+ * DESIGN.md derives it; fit.c states ranges and Q formats.
+ */
+#ifndef OCELLUS_FIT_H
+#define OCELLUS_FIT_H
+
+#include <stddef.h>
+
+#include <ocellus/status.h>
+#include <ocellus/types.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Fits an ellipse to points in any order.
+ *   points   count points; not written; may repeat.
+ *   options  null means {OCEL_FIT_B2AC, OCEL_PERTURB_AUTO}.
+ *   ellipse  out; written for OCEL_OK and OCEL_PARTIAL, zeroed otherwise.
+ * OCEL_OK               an ellipse, vouched for: expected error of the centre
+ *                       (centre_sigma) at most 5 % of the semi-minor axis
+ * OCEL_PARTIAL          an ellipse, but the arc is too short for its noise
+ * OCEL_TOO_FEW_POINTS   count < OCEL_MIN_FIT_POINTS
+ * OCEL_DEGENERATE       collinear, coincident, or no unique best conic
+ * OCEL_NOT_AN_ELLIPSE   the best conic is (nearly) a parabola, or no ellipse
+ * OCEL_OUT_OF_RANGE     a coordinate over OCEL_MAX_COORDINATE_PX, or a result
+ *                       that int32 Q16 pixels cannot hold
+ * OCEL_OVERFLOW         count > OCEL_MAX_FIT_POINTS
+ * OCEL_BAD_OPTION       options hold a value that is none of the enumeration
+ * OCEL_NULL_ARGUMENT    points or ellipse is null */
+ocel_status_t ocel_fit_points(const ocel_point_t *points, size_t count,
+                              const ocel_fit_options_t *options, ocel_ellipse_t *ellipse);
+
+/* The same for boundary cracks, in half pixels: the fast path, with exact
+ * 64-bit sums.  Same statuses. */
+ocel_status_t ocel_fit_cracks(const ocel_crack_t *cracks, size_t count,
+                              const ocel_fit_options_t *options, ocel_ellipse_t *ellipse);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
