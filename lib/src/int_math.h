@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The integer operations that C leaves to the machine or to a helper library,
+ * each in one place: right shifts of negatives, bit scans, 64-bit division,
+ * the integer square root.
+ */
+#ifndef OCEL_INT_MATH_H
+#define OCEL_INT_MATH_H
+
+#include <stdint.h>
+
+/* On the right shift of a negative value.
+ *
+ * C99 6.5.7 leaves it to the implementation, which has to document what it
+ * does.  All that this library is built for (GCC, Clang, Arm Compiler, IAR;
+ * two's complement, which intN_t demands) document the arithmetic shift: the
+ * sign is copied in, so v >> n is floor(v / 2^n).  The portable spelling,
+ * complementing negatives before and after, costs three instructions in the
+ * innermost loops where the shift costs one.  So the library relies on the
+ * shift, here and nowhere else, and an implementation that does otherwise
+ * fails to compile: the array below would have a negative size. */
+typedef char ocel_assert_arithmetic_shift_t[((-3 >> 1) == -2) ? 1 : -1];
+
+/* floor(v / 2^n).  Any v; n 0..63. */
+static inline int64_t ocel_asr64(int64_t v, uint32_t n) {
+    return v >> n;
+}
+
+/* floor(v / 2^n).  Any v; n 0..31. */
+static inline int32_t ocel_asr32(int32_t v, uint32_t n) {
+    return v >> n;
+}
+
+/* v / 2^n to the nearest integer, halves towards +infinity: the error is in
+ * (-1/2, 1/2].  n 0..62; v <= 2^63 - 1 - 2^(n-1), so that adding the half does
+ * not overflow.  n = 0 gives v: the half, 2^n / 2, is then 0. */
+static inline int64_t ocel_shift_round64(int64_t v, uint32_t n) {
+    const int64_t half = (int64_t)(((uint64_t)1U << n) >> 1U);
+
+    return ocel_asr64(v + half, n);
+}
+
+/* |v| as unsigned, so that INT64_MIN has one too: 2^63. */
+static inline uint64_t ocel_abs64(int64_t v) {
+    const uint64_t sign = (uint64_t)ocel_asr64(v, 63U);
+
+    return ((uint64_t)v ^ sign) - sign;
+}
+
+/* Bit scans.  Where the processor has the instruction the compiler's builtin
+ * is it; where it has not (ARMv6-M, RISC-V without Zbb) the builtin calls
+ * libgcc, which the library may not, so the portable twin is used there and
+ * with any other compiler.  Both give the same answers, 0 included. */
+#ifndef OCEL_PORTABLE_BITS
+#if !defined(__GNUC__) || defined(__ARM_ARCH_6M__) || defined(__riscv)
+#define OCEL_PORTABLE_BITS 1
+#else
+#define OCEL_PORTABLE_BITS 0
+#endif
+#endif
+
+/* Leading zeros by halving: five compares, no loop, no table. */
+static inline uint32_t ocel_clz32_portable(uint32_t v) {
+    uint32_t rest = v;
+    uint32_t top = 0U; /* index of the highest set bit, as far as known */
+    uint32_t step;
+
+    step = (rest > 0xFFFFU) ? 16U : 0U;
+    rest >>= step;
+    top += step;
+    step = (rest > 0xFFU) ? 8U : 0U;
+    rest >>= step;
+    top += step;
+    step = (rest > 0xFU) ? 4U : 0U;
+    rest >>= step;
+    top += step;
+    step = (rest > 0x3U) ? 2U : 0U;
+    rest >>= step;
+    top += step;
+    /* rest is 0..3 now: 0 only when v is 0. */
+    step = (rest > 0x1U) ? 1U : 0U;
+    rest >>= step;
+    top += step;
+    return 32U - (top + rest);
+}
+
+/* Leading zeros of v, 0..32; 32 for v = 0. */
+static inline uint32_t ocel_clz32(uint32_t v) {
+#if OCEL_PORTABLE_BITS
+    return ocel_clz32_portable(v);
+#else
+    return (v == 0U) ? 32U : (uint32_t)__builtin_clz(v);
+#endif
+}
+
+/* Leading zeros of v, 0..64; 64 for v = 0. */
+static inline uint32_t ocel_clz64(uint64_t v) {
+#if OCEL_PORTABLE_BITS
+    const uint32_t high = (uint32_t)(v >> 32U);
+
+    return (high != 0U) ? ocel_clz32_portable(high) : (32U + ocel_clz32_portable((uint32_t)v));
+#else
+    return (v == 0U) ? 64U : (uint32_t)__builtin_clzll(v);
+#endif
+}
+
+/* Trailing zeros of v, 0..32; 32 for v = 0. */
+static inline uint32_t ocel_ctz32(uint32_t v) {
+#if OCEL_PORTABLE_BITS
+    /* The lowest set bit alone, then its index. */
+    return (v == 0U) ? 32U : (31U - ocel_clz32_portable(v & (0U - v)));
+#else
+    return (v == 0U) ? 32U : (uint32_t)__builtin_ctz(v);
+#endif
+}
+
+/* floor(num / den) in 64 trips whatever the operands, for code whose worst
+ * case must be known and that is not in an inner loop; den = 0 gives
+ * UINT64_MAX.  (C's own 64-bit division calls a helper on 32-bit processors,
+ * whose time depends on the operands.) */
+uint64_t ocel_udiv64(uint64_t num, uint64_t den);
+
+/* floor(sqrt(v)) in 32 trips.  Any v; the result is below 2^32. */
+uint32_t ocel_isqrt64(uint64_t v);
+
+#endif

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Polar coordinates by CORDIC (Volder, "The CORDIC trigonometric computing
+ * technique", IRE Trans. EC-8, 1959), sine and cosine by a polynomial on an
+ * eighth of a turn.
+ */
+#include "trig.h"
+
+#include "int_math.h"
+#include "q60.h"
+
+/* Micro-rotations by atan(2^-i).  After 32 the angle that is left is at most
+ * atan(2^-31): 0.32 LSB of 2^-32 turn; its cosine differs from 1 by 2^-63. */
+#define CORDIC_TRIPS 32U
+
+/* atan(2^-i) in turns, 2^48 = a turn: the 32 rounding errors of half an LSB
+ * stay below 2^-44 turn together. */
+static const int64_t cordic_turn_q48[CORDIC_TRIPS] = {
+    35184372088832, 20770547670515, 10974586953444, 5570871696862, 2796246208089, 1399486241028,
+    699913886760,   349978300884,   174991820497,   87496244017,   43748163730,   21874087080,
+    10937044192,    5468522177,     2734261099,     1367130551,    683565276,     341782638,
+    170891319,      85445659,       42722830,       21361415,      10680707,      5340354,
+    2670177,        1335088,        667544,         333772,        166886,        83443,
+    41722,          20861};
+
+/* The product of cos(atan(2^-i)), i 0..31: 0.60725..., the lengthening of a
+ * vector by the micro-rotations, inverted. */
+#define CORDIC_GAIN_Q60 ((int64_t)700114967507363239)
+
+/* v if sign is 0, -v if it is -1.  |v| < 2^63. */
+static int64_t negate_if(int64_t v, int64_t sign) {
+    return (v ^ sign) - sign;
+}
+
+/* Turns (x, y), x >= 0, onto the +x axis; gives the angle turned, Q48, and the
+ * length, lengthened by the gain 1.6468, in *x.  x, |y| < 2^59 in, so every
+ * value stays below 1.6468 * sqrt(2) * 2^59 < 2^60.3.  The floor of each shift
+ * costs up to 1 LSB in x and y, 64 LSB altogether: 2^-52 of a vector of 2^58. */
+static int64_t cordic_vector(int64_t *x, int64_t y_start) {
+    int64_t y = y_start;
+    int64_t turn_q48 = 0;
+
+    for (uint32_t i = 0U; i < CORDIC_TRIPS; i++) { /* bound: CORDIC_TRIPS = 32 */
+        const int64_t sign = ocel_asr64(y, 63U);   /* -1: y is below the axis, turn up */
+        const int64_t dx = negate_if(ocel_asr64(y, i), sign);
+        const int64_t dy = negate_if(ocel_asr64(*x, i), sign);
+
+        *x += dx;
+        y -= dy;
+        turn_q48 += negate_if(cordic_turn_q48[i], sign);
+    }
+    return turn_q48;
+}
+
+/* v * 2^n, n -2..58: exact to the left, rounded to the right. */
+static int64_t scale(int64_t v, int32_t n) {
+    return (n >= 0) ? (int64_t)((uint64_t)v << (uint32_t)n) : ocel_shift_round64(v, (uint32_t)(-n));
+}
+
+void ocel_polar(int64_t x, int64_t y, int64_t *magnitude, uint32_t *turn_q32) {
+    const uint64_t spread = ocel_abs64(x) | ocel_abs64(y);
+
+    if (spread == 0U) {
+        *magnitude = 0;
+        *turn_q32 = 0U;
+    } else {
+        /* The larger coordinate goes to [2^58, 2^59): small vectors are then
+         * as exact as large ones.  spread <= 2^61 - 1, so clz is 3..63. */
+        const int32_t up = (int32_t)ocel_clz64(spread) - 5;
+        /* CORDIC reaches +-99.9 degrees: the left half plane is turned by half
+         * a turn first. */
+        const int64_t flip = ocel_asr64(x, 63U);
+        int64_t length = negate_if(scale(x, up), flip);
+        const int64_t turn_q48 = cordic_vector(&length, negate_if(scale(y, up), flip));
+        const uint32_t half_turn = (uint32_t)flip & 0x80000000U;
+
+        *magnitude = scale(ocel_mul_q60(length, CORDIC_GAIN_Q60), -up);
+        *turn_q32 =
+            (uint32_t)((uint64_t)ocel_shift_round64(turn_q48, 16U) & 0xFFFFFFFFU) + half_turn;
+    }
+}
+
+/* Minimax polynomials in s = w^2, w in [-1, 1], the angle in eighths of a
+ * turn: sin(pi/4 w) / w to 3.4e-12 and cos(pi/4 w) to 4.7e-11. */
+static const int32_t sin_coefficient_q32[4] = {-346799333, 10696157, -157077, 1327};
+#define SIN_FIRST_Q32 ((int64_t)3373259426)
+static const int32_t cos_coefficient_q32[4] = {-1324675869, 68093808, -1399896, 15160};
+#define COS_FIRST_Q32 ((int64_t)1 << 32)
+
+/* c[0] s + c[1] s^2 + c[2] s^3 + c[3] s^4 in Q32, s_q31 in [0, 2^31].  Each
+ * partial sum is below 0.31 in magnitude, so it fits in 32 bits and its
+ * product by s in 62.  The floors cost up to 1 LSB of Q32 each, damped. */
+static int64_t even_polynomial(const int32_t c[4], int64_t s_q31) {
+    int64_t sum_q32 = c[3];
+
+    sum_q32 = c[2] + ocel_asr64(sum_q32 * s_q31, 31U);
+    sum_q32 = c[1] + ocel_asr64(sum_q32 * s_q31, 31U);
+    sum_q32 = c[0] + ocel_asr64(sum_q32 * s_q31, 31U);
+    return ocel_asr64(sum_q32 * s_q31, 31U);
+}
+
+void ocel_sincos(uint32_t turn_q32, int32_t *sin_q30, int32_t *cos_q30) {
+    /* The nearest quarter turn, and what is left: [-2^29, 2^29), an eighth. */
+    const uint32_t quarter = (turn_q32 + 0x20000000U) >> 30U;
+    const int64_t w_q29 = (int64_t)((turn_q32 + 0x20000000U) & 0x3FFFFFFFU) - (int64_t)0x20000000;
+    const int64_t s_q31 = ocel_asr64(w_q29 * w_q29, 27U);
+    const int64_t ratio_q32 = SIN_FIRST_Q32 + even_polynomial(sin_coefficient_q32, s_q31);
+    const int32_t sine = (int32_t)ocel_shift_round64(w_q29 * ratio_q32, 31U);
+    const int32_t cosine = (int32_t)ocel_shift_round64(
+        COS_FIRST_Q32 + even_polynomial(cos_coefficient_q32, s_q31), 2U);
+
+    /* sin(x + q 90) and cos(x + q 90): odd quarters swap the two. */
+    const int32_t sin_size = ((quarter & 1U) != 0U) ? cosine : sine;
+    const int32_t cos_size = ((quarter & 1U) != 0U) ? sine : cosine;
+
+    *sin_q30 = ((quarter & 2U) != 0U) ? -sin_size : sin_size;
+    *cos_q30 = (((quarter + 1U) & 2U) != 0U) ? -cos_size : cos_size;
+}
