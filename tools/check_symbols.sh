@@ -1,0 +1,125 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+set -uo pipefail
+
+usage() {
+    cat <<'HELP'
+usage: tools/check_symbols.sh
+
+Claim: the library needs no float, no heap, no state and no helper but the few
+of tools/symbols_allowed.txt.  Held on the archives of the host, Cortex-M0,
+Cortex-M4 (soft float) and Cortex-M4F (hard float), each under four limits:
+  - every undefined symbol is the library's own or in the allow-list;
+  - no writable or initialised-at-start section has content;
+  - no floating-point instruction in the hard-float disassembly;
+  - the sources compile with float, double and the heap poisoned, and with
+    -mgeneral-regs-only.
+HELP
+}
+case "${1:-}" in -h | --help) usage && exit 0 ;; "") ;; *) usage >&2 && exit 2 ;; esac
+
+cd "$(dirname "$0")/.." || exit 1
+allowed=tools/symbols_allowed.txt
+arm=arm-none-eabi
+for tool in gcc cmake nm objdump $arm-gcc $arm-nm $arm-objdump; do
+    command -v "$tool" >/dev/null || {
+        echo "check_symbols: no $tool here; run tools/setup.sh test" >&2
+        exit 1
+    }
+done
+failed=0
+complain() {
+    echo "check_symbols: $*" >&2
+    failed=1
+}
+
+work="$(mktemp -d)"
+trap 'rm -rf "$work"' EXIT
+
+# check_undefined ARCHIVE NM KIND...: KIND are the "where" words that apply.
+check_undefined() {
+    local archive="$1" nm="$2" symbol
+    shift 2
+    "$nm" "$archive" 2>/dev/null | awk 'NF == 3 && $2 ~ /[A-Z]/ { print $3 }' | sort -u >"$work/defined"
+    "$nm" "$archive" 2>/dev/null | awk '$1 == "U" { print $2 }' | sort -u >"$work/undefined"
+    [ -s "$work/defined" ] || complain "$archive: no symbols at all"
+    while read -r symbol; do
+        if ! awk -v symbol="$symbol" -v kinds=" $* " \
+            '$1 == symbol && index(kinds, " " $2 " ") { found = 1 } END { exit !found }' "$allowed"; then
+            complain "$archive: needs $symbol, which $allowed does not allow ($*)." \
+                "Write the code without it (64-bit division: ocel_udiv64)."
+        fi
+    done < <(comm -13 "$work/defined" "$work/undefined")
+    cat "$work/undefined" >>"$work/all_undefined"
+}
+
+# check_sections ARCHIVE OBJDUMP: nothing that must be written or run at start.
+# .data.rel.ro is constant: the host's position-independent tables of pointers.
+check_sections() {
+    "$2" -h "$1" | awk '$2 ~ /^\.(data|bss|tdata|tbss|sdata|sbss|init|fini|init_array|fini_array|ctors|dtors|preinit_array)(\.|$)/ &&
+        $2 !~ /^\.data\.rel\.ro/ && $3 !~ /^0+$/ { print $2, $3 }' >"$work/sections"
+    if [ -s "$work/sections" ]; then
+        complain "$1: has state: $(tr '\n' ' ' <"$work/sections"). Make it const or the caller's."
+    fi
+}
+
+# --- The archives -------------------------------------------------------------
+build() { # PRESET: the library's four variants, quietly
+    if ! { cmake --preset "$1" && cmake --build --preset "$1"; } >"$work/log" 2>&1; then
+        cat "$work/log" >&2
+        complain "preset $1 does not build"
+        return 1
+    fi
+}
+archives=0
+for preset in m0 m4 m4hf; do
+    build "$preset" || continue
+    kinds=(any arm)
+    [ "$preset" = m0 ] && kinds+=(m0)
+    for archive in build/"$preset"/lib*.a build/"$preset"/lib/lib*.a; do
+        check_undefined "$archive" "$arm-nm" "${kinds[@]}"
+        check_sections "$archive" "$arm-objdump"
+        archives=$((archives + 1))
+    done
+done
+for archive in build/m4hf/lib*.a build/m4hf/lib/lib*.a; do
+    $arm-objdump -d "$archive" | awk -F '\t' '/^ *[0-9a-f]+:\t/ && $3 ~ /^v/ { print $3, $4 }' >"$work/float"
+    [ -s "$work/float" ] && complain "$archive: floating-point instructions: $(sort "$work/float" | uniq -c | head -5)"
+done
+
+mapfile -t sources < <(grep -v '^#' lib/sources.txt)
+cat >"$work/poison.h" <<'POISON'
+#pragma GCC poison float double malloc calloc realloc free alloca setjmp longjmp goto
+POISON
+variants=("" "-DOCEL_MAX_WIDTH=4096 -DOCEL_MAX_HEIGHT=4096 -DOCEL_MAX_CRACKS=65534")
+for variant in "${variants[@]}"; do
+    rm -f "$work"/*.o "$work/host.a"
+    for source in "${sources[@]}"; do
+        # shellcheck disable=SC2086  # the variant's definitions are words
+        gcc -std=c99 -O2 -Ilib/include $variant -c "lib/$source" -o "$work/$(basename "$source" .c).o" ||
+            complain "lib/$source does not compile"
+        # shellcheck disable=SC2086
+        gcc -std=c99 -O2 -Ilib/include $variant -mgeneral-regs-only -include "$work/poison.h" \
+            -fsyntax-only "lib/$source" ||
+            complain "lib/$source uses floating point or the heap (see the line above)"
+        # shellcheck disable=SC2086
+        gcc -std=c99 -O2 -Ilib/include $variant -mgeneral-regs-only -c "lib/$source" -o /dev/null ||
+            complain "lib/$source does not compile with -mgeneral-regs-only"
+    done
+    ar rcs "$work/host.a" "$work"/*.o
+    check_undefined "$work/host.a" nm any
+    check_sections "$work/host.a" objdump
+    archives=$((archives + 1))
+done
+
+while read -r symbol _; do
+    grep -qx -- "$symbol" "$work/all_undefined" ||
+        complain "$allowed allows $symbol, which nothing needs; take the line out"
+done < <(grep -v '^#' "$allowed")
+
+if [ "$failed" -ne 0 ]; then
+    echo "check_symbols: FAILED" >&2
+    exit 1
+fi
+echo "check_symbols: $archives archives, no float, no heap, no state; undefined only:" \
+    "$(grep -v '^#' "$allowed" | awk '{ printf "%s ", $1 }')"

@@ -1,0 +1,132 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+set -uo pipefail
+
+usage() {
+    cat <<'HELP'
+usage: tools/sizes.sh [--check FILE | --update FILE]
+
+Claim: the code is at most 16 KB (Cortex-M4, -O2), the eye's context without
+its boundary pool at most 8 KB, the pool at most 8 KB, and the stack of every
+public function at most 1 KB.  Prints the tables as Markdown; --check compares
+them with the block <!-- sizes:begin --> of FILE, --update writes them there.
+HELP
+}
+mode=print file=
+case "${1:-}" in
+-h | --help) usage && exit 0 ;;
+--check | --update) mode="${1#--}" file="${2:?$(usage)}" ;;
+"") ;;
+*) usage >&2 && exit 2 ;;
+esac
+
+cd "$(dirname "$0")/.." || exit 1
+cc=arm-none-eabi-gcc
+command -v $cc >/dev/null || {
+    echo "sizes: no $cc here; run tools/setup.sh test" >&2
+    exit 1
+}
+limit_code=16384 limit_eye=8192 limit_pool=8192 limit_stack=1024
+failed=0
+work="$(mktemp -d)"
+trap 'rm -rf "$work"' EXIT
+
+mapfile -t sources < <(grep -v '^#' lib/sources.txt)
+m4="-mcpu=cortex-m4 -mfloat-abi=soft -mthumb"
+m0="-mcpu=cortex-m0 -mthumb"
+flags="-std=c99 -ffunction-sections -fdata-sections -Ilib/include"
+
+compile() { # NAME FLAGS...: every source into $work/NAME
+    local name="$1" source
+    shift
+    mkdir "$work/$name"
+    for source in "${sources[@]}"; do
+        # shellcheck disable=SC2086  # flags are words
+        (cd "$work/$name" && $cc $flags "$@" -I"$OLDPWD/lib/include" -c "$OLDPWD/lib/$source") || exit 1
+    done
+}
+# shellcheck disable=SC2086
+{
+    compile m4_O2 $m4 -O2 -fstack-usage -fcallgraph-info=su,da || exit 1
+    compile m4_Os $m4 -Os || exit 1
+    compile m0_Os $m0 -Os || exit 1
+}
+
+column() { # NAME MODULE FIELD: 1 text, 2 data, 3 bss; no MODULE: the sum
+    arm-none-eabi-size "$work/$1"/${2:-*}.o | awk -v field="$3" 'NR > 1 { sum += $field } END { print sum + 0 }'
+}
+
+# The contexts, as the compiler for Cortex-M4 lays them out.
+contexts=(eye labeller crack_pool colour colour_table teach detection ellipse)
+{
+    echo '#include <ocellus/ocellus.h>'
+    for name in "${contexts[@]}"; do
+        echo "extern char size_$name[]; char size_$name[sizeof(ocel_${name}_t)];"
+    done
+} >"$work/contexts.c"
+# shellcheck disable=SC2086
+$cc $flags $m4 -O2 -c "$work/contexts.c" -o "$work/contexts.out" || exit 1
+size_of() { echo $((16#$(arm-none-eabi-nm -S "$work/contexts.out" | awk -v n="size_$1" '$4 == n { print $2 }'))); }
+
+# Every function that a public header declares.
+sed 's://.*::' lib/include/ocellus/*.h | grep -oE '\bocel_[a-z0-9_]+\(' | tr -d '(' | sort -u >"$work/declared"
+python3 tools/stack.py --only "$work/declared" --limit $limit_stack "$work"/m4_O2/*.ci >"$work/stack" || failed=1
+
+limit() { # NAME VALUE LIMIT FIX
+    if [ "$2" -gt "$3" ]; then
+        echo "sizes: $1 is $2 bytes, over $3. $4" >&2
+        failed=1
+    fi
+}
+code="$(column m4_O2 "" 1)"
+eye="$(size_of eye)" pool="$(size_of crack_pool)"
+limit "the code (cortex-m4 -O2)" "$code" $limit_code "See the table for the largest modules."
+limit "the eye's context without the pool" $((eye - pool)) $limit_eye "See label.h for what a column costs."
+limit "the boundary pool" "$pool" $limit_pool "Lower OCEL_MAX_CRACKS in config.h."
+limit ".data and .bss together" $(($(column m4_O2 "" 2) + $(column m4_O2 "" 3))) 0 "The library keeps no state."
+
+{
+    echo "Code and constants, bytes of text (\`tools/sizes.sh\`; data and bss are $(column m4_O2 "" 2) and $(column m4_O2 "" 3) everywhere):"
+    echo
+    echo "| module | cortex-m4 -O2 | cortex-m4 -Os | cortex-m0 -Os |"
+    echo "|---|--:|--:|--:|"
+    for source in "${sources[@]}"; do
+        module="$(basename "$source" .c)"
+        echo "| $module | $(column m4_O2 "$module" 1) | $(column m4_Os "$module" 1) | $(column m0_Os "$module" 1) |"
+    done
+    echo "| **all** (limit $limit_code) | $code | $(column m4_Os "" 1) | $(column m0_Os "" 1) |"
+    echo
+    echo "Memory that the caller owns, bytes on a 32-bit machine under the default limits:"
+    echo
+    echo "| context | bytes | limit |"
+    echo "|---|--:|--:|"
+    echo "| \`ocel_eye_t\` without its boundary pool | $((eye - pool)) | $limit_eye |"
+    echo "| its boundary pool, \`ocel_crack_pool_t\` | $pool | $limit_pool |"
+    echo "| of it, \`ocel_labeller_t\` | $(size_of labeller) | |"
+    echo "| \`ocel_colour_t\` | $(size_of colour) | |"
+    echo "| \`ocel_colour_table_t\`, RGB565 only, may be const | $(size_of colour_table) | 8192 |"
+    echo "| \`ocel_teach_t\`, while teaching | $(size_of teach) | |"
+    echo "| \`ocel_detection_t\` | $(size_of detection) | |"
+    echo
+    echo "Stack, bytes at most (cortex-m4 -O2, from GCC's frame sizes and call graph; limit $limit_stack):"
+    echo
+    echo "| function | bytes |"
+    echo "|---|--:|"
+    sort -k2,2nr -k1,1 "$work/stack" | awk '{ print "| `" $1 "` | " $2 " |" }'
+} >"$work/sizes.md"
+limit "the colour table" "$(size_of colour_table)" 8192 "One bit a colour is 8 KB."
+
+mkdir -p build/reports
+cp "$work/sizes.md" build/reports/sizes.md
+case "$mode" in
+print) cat "$work/sizes.md" ;;
+check | update)
+    python3 tools/readme_block.py "--$mode" --fix "Run tools/sizes.sh --update $file" \
+        "$file" sizes "$work/sizes.md" || failed=1
+    ;;
+esac
+if [ "$failed" -ne 0 ]; then
+    echo "sizes: FAILED" >&2
+    exit 1
+fi
+echo "sizes: code $code, eye $((eye - pool)) + pool $pool, stack $(sort -k2,2nr "$work/stack" | awk 'NR == 1 { print $2, "(" $1 ")" }')" >&2
