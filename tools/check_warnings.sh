@@ -30,6 +30,11 @@ only_clang=(-Wcast-align)
 limits=("" "-DOCEL_MAX_WIDTH=4096 -DOCEL_MAX_HEIGHT=4096 -DOCEL_MAX_CRACKS=65534"
     "-DOCEL_MAX_WIDTH=8 -DOCEL_MAX_HEIGHT=1 -DOCEL_MAX_CRACKS=64")
 
+# A header is compiled by including it in a file with one declaration.
+unit="$(mktemp)"
+trap 'rm -f "$unit"' EXIT
+echo 'extern int ocel_nothing;' >"$unit"
+
 # One command a line; xargs runs two at a time.
 commands() {
     local source header limit
@@ -40,9 +45,9 @@ commands() {
         done
     done < <(grep -v '^#' lib/sources.txt)
     for header in lib/include/ocellus/*.h; do
-        echo "$gcc ${common[*]} ${only_gcc[*]} -x c -include $PWD/$header /dev/null"
+        echo "$gcc ${common[*]} ${only_gcc[*]} -x c -include $PWD/$header $unit"
         echo "$gxx -std=c++17 -pedantic -Wall -Wextra -Werror -Ilib/include -c -o /dev/null" \
-            "-x c++ -include $PWD/$header /dev/null"
+            "-x c++ -include $PWD/$header $unit"
     done
 }
 

@@ -69,7 +69,7 @@ $cc $flags $m4 -O2 -c "$work/contexts.c" -o "$work/contexts.out" || exit 1
 size_of() { echo $((16#$(arm-none-eabi-nm -S "$work/contexts.out" | awk -v n="size_$1" '$4 == n { print $2 }'))); }
 
 # Every function that a public header declares.
-sed 's://.*::' lib/include/ocellus/*.h | grep -oE '\bocel_[a-z0-9_]+\(' | tr -d '(' | sort -u >"$work/declared"
+$cc -E -P -Ilib/include lib/include/ocellus/ocellus.h | grep -oE '\bocel_[a-z0-9_]+\(' | tr -d '(' | sort -u >"$work/declared"
 python3 tools/stack.py --only "$work/declared" --limit $limit_stack "$work"/m4_O2/*.ci >"$work/stack" || failed=1
 
 limit() { # NAME VALUE LIMIT FIX

@@ -70,13 +70,15 @@ def main():
 
     frames, calls = read_graph(args.ci)
     wanted = sorted(title for title in frames if ":" not in title)
+    failed = False
     if args.only:
         listed = args.only.read_text().split()
         absent = [name for name in listed if name not in frames]
         if absent:
-            print(f"stack: declared but not in the archive: {' '.join(absent)}", file=sys.stderr)
+            print(f"stack: not in the archive: {' '.join(absent)}", file=sys.stderr)
+            failed = True
         wanted = [name for name in listed if name in frames]
-    done, failed = {}, False
+    done = {}
     for title in wanted:
         try:
             size, chain = depth(title, frames, calls, args.library, done, [])
