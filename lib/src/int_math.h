@@ -114,10 +114,14 @@ static inline uint32_t ocel_ctz32(uint32_t v) {
 #endif
 }
 
-/* floor(num / den) in 64 trips whatever the operands, for code whose worst
- * case must be known and that is not in an inner loop; den = 0 gives
- * UINT64_MAX.  (C's own 64-bit division calls a helper on 32-bit processors,
- * whose time depends on the operands.) */
+/* 1 / m in Q31, for m in Q31: m_q31 in [2^31, 2^32) is [1, 2), the result in
+ * [2^30, 2^31] is [1/2, 1].  Relative error below 2^-29 for any m whose upper
+ * 32 bits are m_q31. */
+uint32_t ocel_recip32(uint32_t m_q31);
+
+/* floor(num / den), any operands, in three trips whatever they are; den = 0
+ * gives UINT64_MAX.  (C's own 64-bit division calls a helper on 32-bit
+ * processors, whose time depends on the operands.) */
 uint64_t ocel_udiv64(uint64_t num, uint64_t den);
 
 /* floor(sqrt(v)) in 32 trips.  Any v; the result is below 2^32. */

@@ -3,37 +3,14 @@
  * Reciprocal and reciprocal square root: normalise, start from a small
  * polynomial, Newton steps in 32 bits, one last step in 64.
  *
- * Newton's iterations here, y (2 - m y) and y (3 - m y^2) / 2, turn a relative
- * error d into -d^2 and -(3/2) d^2 - d^3/2, so after the first step every
- * value is at or below the true one and, before rounding, at most 1: it fits
- * its format.
+ * Newton's iteration for the root, y (3 - m y^2) / 2, turns a relative error d
+ * into -(3/2) d^2 - d^3/2, so after the first step every value is at or below
+ * the true one and, before rounding, at most 1: it fits its format.
  */
 #include "q60.h"
 
 #define ONE_Q61 ((uint64_t)1U << 61U)
 #define ONE_Q62 ((uint64_t)1U << 62U)
-
-/* One 32-bit Newton step of the reciprocal.  m_q31 in [2^31, 2^32) is [1, 2),
- * y_q31 within 6 % of 1/m.  m y is within 6 % of 2^62, so 2 - m y fits Q31 in
- * 32 bits; y d < 1.06 * 2^62.  The result is at most 2^31: the exact product
- * is at most 1. */
-static uint32_t recip_step(uint32_t m_q31, uint32_t y_q31) {
-    const uint64_t product_q62 = (uint64_t)m_q31 * y_q31;
-    const uint32_t d_q31 = (uint32_t)(((ONE_Q62 << 1U) - product_q62) >> 31U);
-
-    return (uint32_t)((((uint64_t)y_q31 * d_q31) + ((uint64_t)1U << 30U)) >> 31U);
-}
-
-/* 1/m in Q31 for m_q31 in [2^31, 2^32).  Start: the linear minimax
- * 24/17 - (8/17) m, relative error 1/17; the steps square it to 2^-8.1,
- * 2^-16.3, 2^-32.7, below the rounding, 2^-31 each for m, d and y. */
-static uint32_t recip_q31(uint32_t m_q31) {
-    uint32_t y_q31 = 3031741621U - (uint32_t)(((uint64_t)m_q31 * 2021161080U) >> 32U);
-
-    y_q31 = recip_step(m_q31, y_q31);
-    y_q31 = recip_step(m_q31, y_q31);
-    return recip_step(m_q31, y_q31);
-}
 
 void ocel_recip_short(uint64_t p, uint32_t *y_q31, int32_t *e) {
     if (p == 0U) {
@@ -43,7 +20,7 @@ void ocel_recip_short(uint64_t p, uint32_t *y_q31, int32_t *e) {
         const uint32_t shift = ocel_clz64(p);
 
         /* p / 2^60 = (m / 2^63) * 2^(3 - shift). */
-        *y_q31 = recip_q31((uint32_t)((p << shift) >> 32U));
+        *y_q31 = ocel_recip32((uint32_t)((p << shift) >> 32U));
         *e = (int32_t)shift - 3;
     }
 }
@@ -59,7 +36,7 @@ void ocel_recip_q60(uint64_t p, int64_t *y_q60, int32_t *e) {
         const uint64_t m_q63 = p << shift;
         const uint32_t m_high = (uint32_t)(m_q63 >> 32U);
         const uint32_t m_low = (uint32_t)(m_q63 & 0xFFFFFFFFU);
-        const uint32_t y_q31 = recip_q31(m_high);
+        const uint32_t y_q31 = ocel_recip32(m_high);
         const uint64_t product_q62 =
             ((uint64_t)m_high * y_q31) + (((uint64_t)m_low * y_q31) >> 32U);
         const int64_t r_q60 = ocel_shift_round64((int64_t)(ONE_Q62 - product_q62), 2U);

@@ -9,47 +9,79 @@
 #include "int_math.h"
 #include "q60.h"
 
-/* Micro-rotations by atan(2^-i).  After 32 the angle that is left is at most
- * atan(2^-31): 0.32 LSB of 2^-32 turn; its cosine differs from 1 by 2^-63. */
-#define CORDIC_TRIPS 32U
+/* Micro-rotations by atan(2^-i).  14 of them leave an angle of at most
+ * atan(2^-13), so small that a division finishes it (finish_vector): a 32-trip
+ * CORDIC of the same accuracy costs twice as much. */
+#define CORDIC_TRIPS 14U
 
-/* atan(2^-i) in turns, 2^48 = a turn: the 32 rounding errors of half an LSB
- * stay below 2^-44 turn together. */
+/* atan(2^-i) in turns, 2^48 = a turn. */
 static const int64_t cordic_turn_q48[CORDIC_TRIPS] = {
-    35184372088832, 20770547670515, 10974586953444, 5570871696862, 2796246208089, 1399486241028,
-    699913886760,   349978300884,   174991820497,   87496244017,   43748163730,   21874087080,
-    10937044192,    5468522177,     2734261099,     1367130551,    683565276,     341782638,
-    170891319,      85445659,       42722830,       21361415,      10680707,      5340354,
-    2670177,        1335088,        667544,         333772,        166886,        83443,
-    41722,          20861};
+    35184372088832, 20770547670515, 10974586953444, 5570871696862, 2796246208089,
+    1399486241028,  699913886760,   349978300884,   174991820497,  87496244017,
+    43748163730,    21874087080,    10937044192,    5468522177};
 
-/* The product of cos(atan(2^-i)), i 0..31: 0.60725..., the lengthening of a
+/* The product of cos(atan(2^-i)), i 0..13: 0.60725..., the lengthening of a
  * vector by the micro-rotations, inverted. */
-#define CORDIC_GAIN_Q60 ((int64_t)700114967507363239)
+#define CORDIC_GAIN_Q60 ((int64_t)700114969246117569)
+
+/* 1 / (2 pi) * 2^34: radians to turns. */
+#define TURN_PER_RADIAN_Q34 ((int64_t)2734261102)
+
+/* A vector on its way to the +x axis, and the angle it has turned so far. */
+typedef struct {
+    int64_t x;
+    int64_t y;
+    int64_t turn_q48;
+} cordic_t;
+
+/* Turns v, x >= 0, towards the +x axis: |y| <= 2^-13 x + 32 afterwards.
+ * x, |y| < 2^59 in, so with the gain 1.6468 every value stays below
+ * 1.6468 * sqrt(2) * 2^59 < 2^60.3.  The floor of each shift costs up to 1 LSB
+ * in x and in y, 28 altogether: below 2^-53 of a vector of 2^58. */
+static void cordic_vector(cordic_t *v) {
+    int64_t x = v->x;
+    int64_t y = v->y;
+    int64_t turn_q48 = 0;
+
+    for (uint32_t i = 0U; i < CORDIC_TRIPS; i++) { /* bound: CORDIC_TRIPS = 14 */
+        const int64_t dx = ocel_asr64(y, i);
+        const int64_t dy = ocel_asr64(x, i);
+
+        if (y >= 0) {
+            x += dx;
+            y -= dy;
+            turn_q48 += cordic_turn_q48[i];
+        } else {
+            x -= dx;
+            y += dy;
+            turn_q48 -= cordic_turn_q48[i];
+        }
+    }
+    v->x = x;
+    v->y = y;
+    v->turn_q48 = turn_q48;
+}
+
+/* The angle that is left, t = y / x, |t| <= 2^-13 + 2^-53, in one step:
+ *   atan(t) = t        but for t^3 / 3   < 2^-40 rad, 2^-43 turn
+ *   hypot   = x + y t / 2 but for t^4 / 8 < 2^-55 of it
+ * x is in [2^58, 2^60.3], so e is 0..2.  y / 2^17 is below 2^30.4, times the
+ * inverse, at most 2^31: 2^61.4; t in Q43 is below 2^30.1. */
+static void finish_vector(cordic_t *v) {
+    const int64_t y_short = ocel_asr64(v->y, 17U);
+    uint32_t inverse_q31;
+    int32_t e;
+    int64_t t_q43;
+
+    ocel_recip_short((uint64_t)v->x, &inverse_q31, &e);
+    t_q43 = ocel_asr64(y_short * (int64_t)inverse_q31, (uint32_t)(31 - e));
+    v->x += ocel_asr64(y_short * t_q43, 43U - 17U + 1U);
+    v->turn_q48 += ocel_asr64(t_q43 * TURN_PER_RADIAN_Q34, 43U + 34U - 48U);
+}
 
 /* v if sign is 0, -v if it is -1.  |v| < 2^63. */
 static int64_t negate_if(int64_t v, int64_t sign) {
     return (v ^ sign) - sign;
-}
-
-/* Turns (x, y), x >= 0, onto the +x axis; gives the angle turned, Q48, and the
- * length, lengthened by the gain 1.6468, in *x.  x, |y| < 2^59 in, so every
- * value stays below 1.6468 * sqrt(2) * 2^59 < 2^60.3.  The floor of each shift
- * costs up to 1 LSB in x and y, 64 LSB altogether: 2^-52 of a vector of 2^58. */
-static int64_t cordic_vector(int64_t *x, int64_t y_start) {
-    int64_t y = y_start;
-    int64_t turn_q48 = 0;
-
-    for (uint32_t i = 0U; i < CORDIC_TRIPS; i++) { /* bound: CORDIC_TRIPS = 32 */
-        const int64_t sign = ocel_asr64(y, 63U);   /* -1: y is below the axis, turn up */
-        const int64_t dx = negate_if(ocel_asr64(y, i), sign);
-        const int64_t dy = negate_if(ocel_asr64(*x, i), sign);
-
-        *x += dx;
-        y -= dy;
-        turn_q48 += negate_if(cordic_turn_q48[i], sign);
-    }
-    return turn_q48;
 }
 
 /* v * 2^n, n -2..58: exact to the left, rounded to the right. */
@@ -70,13 +102,14 @@ void ocel_polar(int64_t x, int64_t y, int64_t *magnitude, uint32_t *turn_q32) {
         /* CORDIC reaches +-99.9 degrees: the left half plane is turned by half
          * a turn first. */
         const int64_t flip = ocel_asr64(x, 63U);
-        int64_t length = negate_if(scale(x, up), flip);
-        const int64_t turn_q48 = cordic_vector(&length, negate_if(scale(y, up), flip));
         const uint32_t half_turn = (uint32_t)flip & 0x80000000U;
+        cordic_t v = {negate_if(scale(x, up), flip), negate_if(scale(y, up), flip), 0};
 
-        *magnitude = scale(ocel_mul_q60(length, CORDIC_GAIN_Q60), -up);
+        cordic_vector(&v);
+        finish_vector(&v);
+        *magnitude = scale(ocel_mul_q60(v.x, CORDIC_GAIN_Q60), -up);
         *turn_q32 =
-            (uint32_t)((uint64_t)ocel_shift_round64(turn_q48, 16U) & 0xFFFFFFFFU) + half_turn;
+            (uint32_t)((uint64_t)ocel_shift_round64(v.turn_q48, 16U) & 0xFFFFFFFFU) + half_turn;
     }
 }
 
@@ -89,14 +122,14 @@ static const int32_t cos_coefficient_q32[4] = {-1324675869, 68093808, -1399896, 
 
 /* c[0] s + c[1] s^2 + c[2] s^3 + c[3] s^4 in Q32, s_q31 in [0, 2^31].  Each
  * partial sum is below 0.31 in magnitude, so it fits in 32 bits and its
- * product by s in 62.  The floors cost up to 1 LSB of Q32 each, damped. */
+ * product by s in 62.  Roundings: half an LSB of Q32 each, four of them. */
 static int64_t even_polynomial(const int32_t c[4], int64_t s_q31) {
     int64_t sum_q32 = c[3];
 
-    sum_q32 = c[2] + ocel_asr64(sum_q32 * s_q31, 31U);
-    sum_q32 = c[1] + ocel_asr64(sum_q32 * s_q31, 31U);
-    sum_q32 = c[0] + ocel_asr64(sum_q32 * s_q31, 31U);
-    return ocel_asr64(sum_q32 * s_q31, 31U);
+    sum_q32 = c[2] + ocel_shift_round64(sum_q32 * s_q31, 31U);
+    sum_q32 = c[1] + ocel_shift_round64(sum_q32 * s_q31, 31U);
+    sum_q32 = c[0] + ocel_shift_round64(sum_q32 * s_q31, 31U);
+    return ocel_shift_round64(sum_q32 * s_q31, 31U);
 }
 
 void ocel_sincos(uint32_t turn_q32, int32_t *sin_q30, int32_t *cos_q30) {
