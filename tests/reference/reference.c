@@ -172,30 +172,51 @@ static void normalise(const ref_conic_t *conic, const ref_point_t *point, ref_re
     *y = (point->y - conic->mean_y) / conic->scale;
 }
 
-/* Mean of xi xi^T, and of V0[xi] when nt is given. */
+/* A term c x^p y^q. */
+typedef struct {
+    int c;
+    int p;
+    int q;
+} term_t;
+
+/* xi and its derivatives, as terms: monomials() and covariance() over again. */
+static const term_t XI[6] = {{1, 2, 0}, {2, 1, 1}, {1, 0, 2}, {2, 1, 0}, {2, 0, 1}, {1, 0, 0}};
+static const term_t XI_DX[6] = {{2, 1, 0}, {2, 0, 1}, {0, 0, 0}, {2, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+static const term_t XI_DY[6] = {{0, 0, 0}, {2, 1, 0}, {2, 0, 1}, {0, 0, 0}, {2, 0, 0}, {0, 0, 0}};
+
+static ref_real_t mean_product(ref_real_t mean[5][5], term_t s, term_t t) {
+    return s.c * t.c * mean[s.p + t.p][s.q + t.q];
+}
+
+/* Mean of xi xi^T (m) and of V0[xi] (nt): both are made of the fifteen means of
+ * x^p y^q, p + q <= 4. */
 static void moments(const ref_conic_t *conic, const ref_point_t *points, size_t count, matrix_t m,
                     matrix_t nt) {
-    memset(m, 0, sizeof(matrix_t));
-    memset(nt, 0, sizeof(matrix_t));
+    ref_real_t mean[5][5] = {{0}};
     for (size_t k = 0; k < count; k++) {
         ref_real_t x;
         ref_real_t y;
-        ref_real_t xi[6];
-        matrix_t v0;
         normalise(conic, &points[k], &x, &y);
-        monomials(x, y, xi);
-        covariance(x, y, v0);
-        for (int i = 0; i < CONIC; i++) {
-            for (int j = 0; j < CONIC; j++) {
-                m[i][j] += xi[i] * xi[j];
-                nt[i][j] += v0[i][j];
+        ref_real_t power_y = 1;
+        for (int q = 0; q <= 4; q++) {
+            ref_real_t product = power_y;
+            for (int p = 0; p + q <= 4; p++) {
+                mean[p][q] += product;
+                product *= x;
             }
+            power_y *= y;
+        }
+    }
+    for (int p = 0; p <= 4; p++) {
+        for (int q = 0; q <= 4; q++) {
+            mean[p][q] /= (ref_real_t)count;
         }
     }
     for (int i = 0; i < CONIC; i++) {
         for (int j = 0; j < CONIC; j++) {
-            m[i][j] /= (ref_real_t)count;
-            nt[i][j] /= (ref_real_t)count;
+            m[i][j] = mean_product(mean, XI[i], XI[j]);
+            nt[i][j] =
+                mean_product(mean, XI_DX[i], XI_DX[j]) + mean_product(mean, XI_DY[i], XI_DY[j]);
         }
     }
 }

@@ -61,8 +61,12 @@ static inline bool frame_by_name(const char *name, frame_kind_t *kind) {
 /* Sets the pixels whose centres lie in the disc; clears nothing. */
 static inline void frame_add_disc(uint8_t *mask, int width, int height, double cx, double cy,
                                   double radius) {
-    for (int y = 0; y < height; y++) {
-        for (int x = 0; x < width; x++) {
+    const int x_first = (int)fmax(0.0, floor(cx - radius));
+    const int x_last = (int)fmin(width - 1.0, ceil(cx + radius));
+    const int y_first = (int)fmax(0.0, floor(cy - radius));
+    const int y_last = (int)fmin(height - 1.0, ceil(cy + radius));
+    for (int y = y_first; y <= y_last; y++) {
+        for (int x = x_first; x <= x_last; x++) {
             const double dx = x - cx;
             const double dy = y - cy;
             if (dx * dx + dy * dy <= radius * radius) {
