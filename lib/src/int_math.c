@@ -23,7 +23,7 @@ static uint32_t recip_step(uint32_t m_q31, uint32_t y_q31) {
 
 /* 1/m in Q31 for m_q31 in [2^31, 2^32).  Start: the linear minimax
  * 24/17 - (8/17) m, relative error 1/17; the steps square it to 2^-8.1,
- * 2^-16.3, 2^-32.7, below the rounding, 2^-31 each for m, d and y. */
+ * 2^-16.3, 2^-32.7, below the roundings of m, d and y: 2^-29.8 together. */
 uint32_t ocel_recip32(uint32_t m_q31) {
     uint32_t y_q31 = 3031741621U - (uint32_t)(((uint64_t)m_q31 * 2021161080U) >> 32U);
 

@@ -25,8 +25,10 @@ void ocel_recip_short(uint64_t p, uint32_t *y_q31, int32_t *e) {
     }
 }
 
-/* The last step in 64 bits: r = 1 - m y is taken exactly but for 2^-62, then
- * y + y r.  |r| < 2^-28, so r in Q60 is below 2^32 and y r below 2^63. */
+/* The last step in 64 bits: r = 1 - m y, floored by less than 2^-62, then
+ * y + y r.  With d = 2^-29.8, the error of the 32-bit reciprocal, r in Q60 is
+ * below 2^31 and y r below 2^62.  Error: d^2 from the step, and two roundings
+ * of half an LSB of 2^-60, y being 1/2 or more: below 2^-58. */
 void ocel_recip_q60(uint64_t p, int64_t *y_q60, int32_t *e) {
     if (p == 0U) {
         *y_q60 = 0;
@@ -61,7 +63,7 @@ static uint32_t rsqrt_step(uint32_t m_q30, uint32_t y_q31) {
 
 /* 1/sqrt(m) in Q31 for m_q30 in [2^30, 2^32).  Start: the quadratic minimax
  * 1.335418 - 0.410670 m + 0.0512052 m^2, relative error 0.0241 = 2^-5.4; the
- * steps bring it to 2^-10.2, 2^-19.8, 2^-39, below the rounding, about 2^-30. */
+ * steps bring it to 2^-10.2, 2^-19.8, 2^-39, below the roundings, 2^-29.4 together. */
 static uint32_t rsqrt_q31(uint32_t m_q30) {
     /* Horner.  The slope is 0.206 to 0.359, so the product is below 0.83. */
     const uint32_t slope_q32 = 1763812373U - (uint32_t)(((uint64_t)m_q30 * 879699390U) >> 32U);
@@ -72,10 +74,11 @@ static uint32_t rsqrt_q31(uint32_t m_q30) {
     return rsqrt_step(m_q30, y_q31);
 }
 
-/* y in Q60 for m_q62 in [2^62, 2^64), [1, 4).  The last step in 64 bits:
- * r = 1 - m y^2 to 2^-60, then y + y r / 2.  m y < 2 * 2^61 in Q61; m y^2 is
- * close to 1, |r| < 2^-28: r in Q60 is below 2^32 and
- * y r below 2^63. */
+/* y in Q60 for m_q62 in [2^62, 2^64), [1, 4): r = 1 - m y^2, then y + y r / 2.
+ * m y <= 2 in Q61, m y^2 close to 1.  With d = 2^-29.4, the error of the 32-bit
+ * root, |r| < 2 d < 2^-28: in Q60 below 2^32, and y r below 2^63.  Error: -1.5
+ * d^2 = -2^-58.2 from the step; r is up to 2 LSB too large, y then by 1, and
+ * the rounding: at most 1.5 LSB of 2^-60, y being 1/2 or more. */
 static int64_t rsqrt_mantissa(uint64_t m_q62) {
     const uint32_t m_high = (uint32_t)(m_q62 >> 32U);
     const uint32_t m_low = (uint32_t)(m_q62 & 0xFFFFFFFFU);

@@ -37,7 +37,7 @@ static inline int64_t ocel_mul_q60(int64_t a, int64_t b) {
 void ocel_rsqrt_q60(uint64_t p, int64_t *y_q60, int32_t *e);
 
 /* 1 / (p / 2^60) = (y_q60 / 2^60) * 2^e.  p >= 1, any 64-bit value.
- * y_q60 is in [2^59, 2^60], e in -3..60; the relative error is below 2^-57.
+ * y_q60 is in [2^59, 2^60], e in -3..60; the relative error is below 2^-58.
  * p = 0 gives y_q60 = 0 and e = 0. */
 void ocel_recip_q60(uint64_t p, int64_t *y_q60, int32_t *e);
 

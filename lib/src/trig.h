@@ -9,10 +9,10 @@
 #include <stdint.h>
 
 /* Cartesian to polar.  |x|, |y| <= 2^60, in any unit.
- *   magnitude  hypot(x, y) in the same unit, to the nearest but for a relative
- *              error below 2^-50: at most 2^60.5.
- *   turn_q32   the angle from +x towards +y, 2^32 = a turn; error below 1 LSB,
- *              2^-32 of a turn, for small vectors as for large ones.
+ *   magnitude  hypot(x, y) in the same unit, at most 2^60.5; error: half an
+ *              LSB and 2^-52 of it.
+ *   turn_q32   the angle from +x towards +y, 2^32 = a turn; error below 0.51
+ *              LSB, for small vectors as for large ones.
  * (0, 0) gives 0 and 0. */
 void ocel_polar(int64_t x, int64_t y, int64_t *magnitude, uint32_t *turn_q32);
 

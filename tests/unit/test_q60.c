@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * References: the compiler's 128-bit integer for products, long double (64
+ * bits of mantissa or more) for reciprocals and roots.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "q60.h"
+#include "rng.h"
+#include "unity.h"
+
+__extension__ typedef __int128 i128_t;
+
+#if LDBL_MANT_DIG < 64
+#error "the reference needs a long double of 64 bits or more"
+#endif
+
+enum { SEED = 20110603, RANDOM_TRIALS = 1000000 };
+
+static rng_t rng;
+
+void setUp(void) {
+    rng = rng_seed(SEED);
+}
+
+void tearDown(void) {
+}
+
+#define LIMIT ((int64_t)1 << 61)
+
+/* Products: 2^60 * (result - exact) must be in (-1.5, 0.5] * 2^60. */
+static long double check_product(int64_t a, int64_t b) {
+    const i128_t error = ((i128_t)ocel_mul_q60(a, b) * OCEL_Q60_ONE) - ((i128_t)a * b);
+    const i128_t half = (i128_t)1 << 59;
+    TEST_ASSERT_TRUE((error > -(3 * half)) && (error <= half));
+    return ldexpl((long double)error, -60);
+}
+
+static int64_t any_q60(void) {
+    const int64_t size = (int64_t)(rng_u64(&rng) >> (3U + rng_below(&rng, 61U)));
+    return ((rng_u32(&rng) & 1U) != 0U) ? -size : size;
+}
+
+static void products_within_their_interval(void) {
+    static const int64_t EDGES[] = {0,
+                                    1,
+                                    -1,
+                                    LIMIT - 1,
+                                    1 - LIMIT,
+                                    OCEL_Q60_ONE,
+                                    -OCEL_Q60_ONE,
+                                    OCEL_Q60_ONE - 1,
+                                    0x3FFFFFFF,
+                                    -0x3FFFFFFF,
+                                    0x40000000,
+                                    -0x40000000,
+                                    LIMIT - 0x40000000,
+                                    0x20000000,
+                                    0x1FFFFFFF};
+    long double lowest = 0.0L;
+    long double highest = 0.0L;
+    for (size_t i = 0; i < sizeof(EDGES) / sizeof(EDGES[0]); i++) {
+        for (size_t j = 0; j < sizeof(EDGES) / sizeof(EDGES[0]); j++) {
+            (void)check_product(EDGES[i], EDGES[j]);
+        }
+    }
+    for (int i = 0; i < RANDOM_TRIALS; i++) {
+        const long double error = check_product(any_q60(), any_q60());
+        lowest = fminl(lowest, error);
+        highest = fmaxl(highest, error);
+    }
+    printf("mul_q60: error %.4Lf .. %.4Lf LSB (stated (-1.5, 0.5])\n", lowest, highest);
+}
+
+static void products_by_one_and_zero_are_exact(void) {
+    for (int i = 0; i < 10000; i++) {
+        const int64_t v = any_q60();
+        TEST_ASSERT_EQUAL_INT64(v, ocel_mul_q60(v, OCEL_Q60_ONE));
+        TEST_ASSERT_EQUAL_INT64(v, ocel_mul_q60(OCEL_Q60_ONE, v));
+        TEST_ASSERT_EQUAL_INT64(0, ocel_mul_q60(v, 0));
+        TEST_ASSERT_EQUAL_INT64(0, ocel_mul_q60(0, v));
+    }
+}
+
+/* Arguments on which normalising, the start or the last step break first:
+ * powers of two and their neighbours, and upper halves with extreme lower
+ * ones; then all magnitudes at random. */
+enum { EDGE_TRIALS = 64 * 5 };
+static uint64_t any_argument(int i) {
+    uint64_t p;
+    if (i < EDGE_TRIALS) {
+        const uint64_t power = (uint64_t)1U << (uint32_t)(i / 5);
+        const uint64_t around[5] = {power, power + 1U, power - 1U, power + (power >> 1U),
+                                    UINT64_MAX - power};
+        p = around[i % 5];
+    } else {
+        p = rng_u64(&rng);
+        p |= ((i % 4) == 0) ? 0xFFFFFFFFU : 0U;
+        p &= ((i % 4) == 1) ? ~(uint64_t)0xFFFFFFFFU : UINT64_MAX;
+        p |= ((i % 8) < 4) ? ((uint64_t)1U << 63U) : 0U;
+        p >>= rng_below(&rng, 64U);
+    }
+    return (p == 0U) ? 1U : p;
+}
+
+/* y 2^e / exact - 1, all in long double. */
+static long double relative_error(int64_t y, int bits, int32_t e, long double exact) {
+    return (ldexpl((long double)y, (int)e - bits) - exact) / exact;
+}
+
+static void report(const char *name, long double worst, int stated) {
+    printf("%s: worst relative error 2^%.2Lf (stated 2^%d)\n", name, log2l(worst), stated);
+    TEST_ASSERT_TRUE(worst < ldexpl(1.0L, stated));
+}
+
+static void reciprocals_within_their_bound(void) {
+    long double worst = 0.0L;
+    for (int i = 0; i < RANDOM_TRIALS; i++) {
+        const uint64_t p = any_argument(i);
+        const long double exact = 1.0L / ldexpl((long double)p, -60);
+        int64_t y = -1;
+        int32_t e = -99;
+        ocel_recip_q60(p, &y, &e);
+        TEST_ASSERT_TRUE((y >= OCEL_Q60_ONE / 2) && (y <= OCEL_Q60_ONE));
+        TEST_ASSERT_TRUE((e >= -3) && (e <= 60));
+        worst = fmaxl(worst, fabsl(relative_error(y, 60, e, exact)));
+    }
+    report("recip_q60", worst, -58);
+}
+
+static void short_reciprocals_within_their_bound(void) {
+    long double worst = 0.0L;
+    for (int i = 0; i < RANDOM_TRIALS; i++) {
+        const uint64_t p = any_argument(i);
+        const long double exact = 1.0L / ldexpl((long double)p, -60);
+        uint32_t y = 0U;
+        int32_t e = -99;
+        ocel_recip_short(p, &y, &e);
+        TEST_ASSERT_TRUE((y >= ((uint32_t)1U << 30U)) && (y <= ((uint32_t)1U << 31U)));
+        TEST_ASSERT_TRUE((e >= -3) && (e <= 60));
+        worst = fmaxl(worst, fabsl(relative_error((int64_t)y, 31, e, exact)));
+    }
+    report("recip_short", worst, -29);
+}
+
+static void reciprocal_roots_within_their_bound(void) {
+    long double worst = 0.0L;
+    for (int i = 0; i < RANDOM_TRIALS; i++) {
+        const uint64_t p = any_argument(i);
+        const long double exact = 1.0L / sqrtl(ldexpl((long double)p, -60));
+        int64_t y = -1;
+        int32_t e = -99;
+        ocel_rsqrt_q60(p, &y, &e);
+        TEST_ASSERT_TRUE((y >= OCEL_Q60_ONE / 2) && (y <= OCEL_Q60_ONE));
+        TEST_ASSERT_TRUE((e >= -1) && (e <= 30));
+        worst = fmaxl(worst, fabsl(relative_error(y, 60, e, exact)));
+    }
+    report("rsqrt_q60", worst, -57);
+}
+
+static void roots_within_their_bound(void) {
+    long double worst = 0.0L;
+    for (int i = 0; i < RANDOM_TRIALS; i++) {
+        const uint64_t p = any_argument(i) >> 2U;
+        const long double exact = ldexpl(sqrtl(ldexpl((long double)p, -60)), 60);
+        const int64_t root = ocel_sqrt_q60(p);
+        const long double beyond_rounding = fabsl((long double)root - exact) - 0.5L;
+        TEST_ASSERT_TRUE((root >= 0) && (root <= LIMIT));
+        if (p > 0U) {
+            worst = fmaxl(worst, beyond_rounding / exact);
+        }
+    }
+    report("sqrt_q60, beyond half an LSB", worst, -57);
+}
+
+static void whole_results_are_whole(void) {
+    int64_t y = 0;
+    int32_t e = 0;
+    for (uint32_t k = 0U; k < 64U; k++) { /* 1 / 2^k exactly */
+        ocel_recip_q60((uint64_t)1U << k, &y, &e);
+        TEST_ASSERT_TRUE(ldexpl((long double)y, (int)e) == ldexpl(1.0L, 120 - (int)k));
+    }
+    for (uint32_t k = 0U; k < 62U; k += 2U) { /* even powers of two have exact roots */
+        TEST_ASSERT_EQUAL_INT64((int64_t)1 << (30U + (k / 2U)), ocel_sqrt_q60((uint64_t)1U << k));
+    }
+}
+
+static void zero_has_a_stated_answer(void) {
+    int64_t y = -1;
+    uint32_t y_short = 7U;
+    int32_t e = -99;
+    ocel_recip_q60(0U, &y, &e);
+    TEST_ASSERT_EQUAL_INT64(0, y);
+    TEST_ASSERT_EQUAL_INT32(0, e);
+    y = -1;
+    e = -99;
+    ocel_rsqrt_q60(0U, &y, &e);
+    TEST_ASSERT_EQUAL_INT64(0, y);
+    TEST_ASSERT_EQUAL_INT32(0, e);
+    e = -99;
+    ocel_recip_short(0U, &y_short, &e);
+    TEST_ASSERT_EQUAL_UINT32(0U, y_short);
+    TEST_ASSERT_EQUAL_INT32(0, e);
+    TEST_ASSERT_EQUAL_INT64(0, ocel_sqrt_q60(0U));
+}
+
+int main(void) {
+    printf("seed %d\n", SEED);
+    UNITY_BEGIN();
+    RUN_TEST(products_within_their_interval);
+    RUN_TEST(products_by_one_and_zero_are_exact);
+    RUN_TEST(reciprocals_within_their_bound);
+    RUN_TEST(short_reciprocals_within_their_bound);
+    RUN_TEST(reciprocal_roots_within_their_bound);
+    RUN_TEST(roots_within_their_bound);
+    RUN_TEST(whole_results_are_whole);
+    RUN_TEST(zero_has_a_stated_answer);
+    return UNITY_END();
+}
