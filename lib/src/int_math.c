@@ -46,13 +46,15 @@ uint64_t ocel_udiv64(uint64_t num, uint64_t den) {
     if (den != 0U) {
         const uint32_t shift = ocel_clz64(den);
         const uint64_t y_q31 = ocel_recip32((uint32_t)((den << shift) >> 32U)) - 4U;
+        const uint32_t down = 63U - shift;
         uint64_t rest = num;
 
         quotient = 0U;
         for (uint32_t trip = 0U; trip < DIVISION_TRIPS; trip++) { /* bound: DIVISION_TRIPS = 3 */
             const uint64_t high = (rest >> 32U) * y_q31;
             const uint64_t low = (rest & 0xFFFFFFFFU) * y_q31;
-            const uint64_t digit = ((high << 1U) + (low >> 31U)) >> (63U - shift);
+            const uint64_t product_q31 = (high << 1U) + (low >> 31U);
+            const uint64_t digit = product_q31 >> down;
 
             quotient += digit;
             rest -= digit * den;

@@ -31,21 +31,45 @@ static inline int32_t ocel_asr32(int32_t v, uint32_t n) {
     return v >> n;
 }
 
+/* The int64_t with the same bits.  C99 6.3.1.3 leaves values above INT64_MAX
+ * to the implementation; all those above document two's complement. */
+static inline int64_t ocel_signed64(uint64_t v) {
+    return (int64_t)v;
+}
+
+/* v * 2^n, n 0..63, for any v whose product fits.  (<< of a negative value is
+ * undefined in C99; this is the same one instruction.) */
+static inline int64_t ocel_shl64(int64_t v, uint32_t n) {
+    return ocel_signed64((uint64_t)v << n);
+}
+
 /* v / 2^n to the nearest integer, halves towards +infinity: the error is in
  * (-1/2, 1/2].  n 0..62; v <= 2^63 - 1 - 2^(n-1), so that adding the half does
  * not overflow.  n = 0 gives v: the half, 2^n / 2, is then 0. */
 static inline int64_t ocel_shift_round64(int64_t v, uint32_t n) {
-    const int64_t half = (int64_t)(((uint64_t)1U << n) >> 1U);
+    const int64_t half = ocel_signed64(((uint64_t)1U << n) >> 1U);
 
     return ocel_asr64(v + half, n);
 }
 
+/* -1 for v < 0, else 0.  Compilers make one shift of it. */
+static inline int64_t ocel_sign64(int64_t v) {
+    return -ocel_signed64((uint64_t)v >> 63U);
+}
+
 /* |v| as unsigned, so that INT64_MIN has one too: 2^63. */
 static inline uint64_t ocel_abs64(int64_t v) {
-    const uint64_t sign = (uint64_t)ocel_asr64(v, 63U);
+    const uint64_t sign = (uint64_t)ocel_sign64(v);
 
     return ((uint64_t)v ^ sign) - sign;
 }
+
+/* Where the compiler has a 128-bit integer (64-bit processors), the two exact
+ * products of the solve use it: ocel_mul_q60 and ocel_i128_mac.  Their portable
+ * twins give the same bits, and the tests hold each pair together. */
+#if defined(__SIZEOF_INT128__)
+__extension__ typedef __int128 ocel_int128_t;
+#endif
 
 /* Bit scans.  Where the processor has the instruction the compiler's builtin
  * is it; where it has not (ARMv6-M, RISC-V without Zbb) the builtin calls

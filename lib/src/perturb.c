@@ -31,8 +31,9 @@
  * steps.  |coordinate| <= 2^26, so coordinate * y <= 2^57; |cos| <= 1 + 2^-28
  * in Q30 and displacement < 2^26.1, so their product is below 2^57. */
 static int32_t moved(int32_t v_q26, uint32_t inverse_q31, int32_t e, int64_t displacement_q36) {
+    const int32_t down = 27 - e; /* Q26 * Q31 to Q30, and 2^e */
     const int64_t cosine_q30 =
-        ocel_shift_round64((int64_t)v_q26 * (int64_t)inverse_q31, (uint32_t)(27 - e));
+        ocel_shift_round64((int64_t)v_q26 * (int64_t)inverse_q31, (uint32_t)down);
 
     return v_q26 + (int32_t)ocel_shift_round64(cosine_q30 * displacement_q36, 40U);
 }
@@ -48,8 +49,7 @@ void ocel_perturb_point(int32_t *x_q26, int32_t *y_q26) {
     int64_t displacement_q36;
 
     /* Shifted up to Q60 so that rho has more bits than the coordinates. */
-    ocel_polar((int64_t)*x_q26 * ((int64_t)1 << 34), (int64_t)*y_q26 * ((int64_t)1 << 34), &rho_q60,
-               &theta_q32);
+    ocel_polar(ocel_shl64(*x_q26, 34U), ocel_shl64(*y_q26, 34U), &rho_q60, &theta_q32);
     phase_q32 = (uint32_t)(((theta_q32 * PHASE_PER_TURN_Q32) >> 32U) & 0xFFFFFFFFU);
     ocel_sincos(phase_q32, &sin_q30, &cos_q30);
     (void)cos_q30;

@@ -41,9 +41,9 @@ void ocel_recip_q60(uint64_t p, int64_t *y_q60, int32_t *e) {
         const uint32_t y_q31 = ocel_recip32(m_high);
         const uint64_t product_q62 =
             ((uint64_t)m_high * y_q31) + (((uint64_t)m_low * y_q31) >> 32U);
-        const int64_t r_q60 = ocel_shift_round64((int64_t)(ONE_Q62 - product_q62), 2U);
+        const int64_t r_q60 = ocel_shift_round64(ocel_signed64(ONE_Q62 - product_q62), 2U);
 
-        *y_q60 = ((int64_t)y_q31 << 29) + ocel_shift_round64((int64_t)y_q31 * r_q60, 31U);
+        *y_q60 = ocel_shl64((int64_t)y_q31, 29U) + ocel_shift_round64((int64_t)y_q31 * r_q60, 31U);
         *e = (int32_t)shift - 3;
     }
 }
@@ -86,9 +86,9 @@ static int64_t rsqrt_mantissa(uint64_t m_q62) {
     const uint64_t root_q61 = ((uint64_t)m_high * y_q31) + (((uint64_t)m_low * y_q31) >> 32U);
     const uint64_t one_q60 =
         ((root_q61 >> 32U) * y_q31) + (((root_q61 & 0xFFFFFFFFU) * y_q31) >> 32U);
-    const int64_t r_q60 = OCEL_Q60_ONE - (int64_t)one_q60;
+    const int64_t r_q60 = OCEL_Q60_ONE - ocel_signed64(one_q60);
 
-    return ((int64_t)y_q31 << 29) + ocel_shift_round64((int64_t)y_q31 * r_q60, 32U);
+    return ocel_shl64((int64_t)y_q31, 29U) + ocel_shift_round64((int64_t)y_q31 * r_q60, 32U);
 }
 
 void ocel_rsqrt_q60(uint64_t p, int64_t *y_q60, int32_t *e) {
@@ -98,9 +98,10 @@ void ocel_rsqrt_q60(uint64_t p, int64_t *y_q60, int32_t *e) {
     } else {
         /* An even shift: p / 2^60 = (m / 2^62) * 2^(2 - shift). */
         const uint32_t shift = ocel_clz64(p) & ~1U;
+        const uint32_t half_shift = shift >> 1U;
 
         *y_q60 = rsqrt_mantissa(p << shift);
-        *e = (int32_t)(shift >> 1U) - 1;
+        *e = (int32_t)half_shift - 1;
     }
 }
 
@@ -113,7 +114,8 @@ int64_t ocel_sqrt_q60(uint64_t p) {
     if (p != 0U) {
         const uint32_t shift = ocel_clz64(p) & ~1U;
         const uint64_t m_q62 = p << shift;
-        const int64_t root_q59 = ocel_mul_q60((int64_t)(m_q62 >> 3U), rsqrt_mantissa(m_q62));
+        const int64_t m_q59 = ocel_signed64(m_q62 >> 3U);
+        const int64_t root_q59 = ocel_mul_q60(m_q59, rsqrt_mantissa(m_q62));
 
         /* sqrt(p / 2^60) = sqrt(m) * 2^(1 - shift / 2); one more for Q59. */
         root_q60 = ocel_shift_round64(root_q59 * 4, shift >> 1U);

@@ -10,26 +10,36 @@
 
 #include "int_math.h"
 
-#define OCEL_Q60_ONE ((int64_t)1 << 60)
+#define OCEL_Q60_ONE ((int64_t)0x1000000000000000)
 
-/* a * b / 2^60.  |a|, |b| < 2^61; the result's magnitude is below 2^62 + 1.
+/* floor(a * b / 2^60), exactly.  |a|, |b| < 2^61; the result's magnitude is at
+ * most 2^62.  Two ways that give the same bits (a test holds them together): a
+ * processor with 64-bit products takes one, a 32-bit one takes four 32x32->64.
  *
  * With a = ah 2^30 + al, 0 <= al < 2^30, -2^31 <= ah < 2^31, and b alike:
- *   a b / 2^60 = ah bh + (ah bl + al bh) / 2^30 + al bl / 2^60.
- * The last term, in [0, 1), is dropped and the middle one rounded, so
- *   result - exact is in (-1.5, 0.5].
- * Nothing overflows: |ah bl + al bh| < 2 * 2^61 = 2^62, |ah bh| <= 2^62, and
- * the high halves fit in 32 bits, so a 32-bit processor needs three
- * 32x32->64 products.  A product by 2^60, and any by 0, is exact. */
-static inline int64_t ocel_mul_q60(int64_t a, int64_t b) {
+ *   a b = ah bh 2^60 + (ah bl + al bh) 2^30 + al bl,
+ * and floor((x 2^30 + al bl) / 2^60) = floor((x + floor(al bl / 2^30)) / 2^30).
+ * Nothing overflows: |ah bl + al bh| < 2 * 2^61 = 2^62, |ah bh| <= 2^62. */
+static inline int64_t ocel_mul_q60_by_parts(int64_t a, int64_t b) {
     const int32_t ah = (int32_t)ocel_asr64(a, 30U);
     const int32_t bh = (int32_t)ocel_asr64(b, 30U);
     const int32_t al = (int32_t)(a & 0x3FFFFFFF);
     const int32_t bl = (int32_t)(b & 0x3FFFFFFF);
-    const int64_t middle = ((int64_t)ah * bl) + ((int64_t)al * bh);
+    const int64_t low = ocel_asr64((int64_t)al * bl, 30U);
+    const int64_t middle = ((int64_t)ah * bl) + ((int64_t)al * bh) + low;
 
-    return ((int64_t)ah * bh) + ocel_shift_round64(middle, 30U);
+    return ((int64_t)ah * bh) + ocel_asr64(middle, 30U);
 }
+
+#if defined(__SIZEOF_INT128__)
+static inline int64_t ocel_mul_q60(int64_t a, int64_t b) {
+    return (int64_t)(((ocel_int128_t)a * b) >> 60);
+}
+#else
+static inline int64_t ocel_mul_q60(int64_t a, int64_t b) {
+    return ocel_mul_q60_by_parts(a, b);
+}
+#endif
 
 /* 1 / sqrt(p / 2^60) = (y_q60 / 2^60) * 2^e.  p >= 1, any 64-bit value.
  * y_q60 is in [2^59, 2^60] (1/2 to 1), e in -1..30; the relative error is

@@ -14,12 +14,6 @@
  * CORDIC of the same accuracy costs twice as much. */
 #define CORDIC_TRIPS 14U
 
-/* atan(2^-i) in turns, 2^48 = a turn. */
-static const int64_t cordic_turn_q48[CORDIC_TRIPS] = {
-    35184372088832, 20770547670515, 10974586953444, 5570871696862, 2796246208089,
-    1399486241028,  699913886760,   349978300884,   174991820497,  87496244017,
-    43748163730,    21874087080,    10937044192,    5468522177};
-
 /* The product of cos(atan(2^-i)), i 0..13: 0.60725..., the lengthening of a
  * vector by the micro-rotations, inverted. */
 #define CORDIC_GAIN_Q60 ((int64_t)700114969246117569)
@@ -39,6 +33,11 @@ typedef struct {
  * 1.6468 * sqrt(2) * 2^59 < 2^60.3.  The floor of each shift costs up to 1 LSB
  * in x and in y, 28 altogether: below 2^-53 of a vector of 2^58. */
 static void cordic_vector(cordic_t *v) {
+    /* atan(2^-i), 2^48 = a turn. */
+    static const int64_t cordic_turn_q48[CORDIC_TRIPS] = {
+        35184372088832, 20770547670515, 10974586953444, 5570871696862, 2796246208089,
+        1399486241028,  699913886760,   349978300884,   174991820497,  87496244017,
+        43748163730,    21874087080,    10937044192,    5468522177};
     int64_t x = v->x;
     int64_t y = v->y;
     int64_t turn_q48 = 0;
@@ -71,10 +70,12 @@ static void finish_vector(cordic_t *v) {
     const int64_t y_short = ocel_asr64(v->y, 17U);
     uint32_t inverse_q31;
     int32_t e;
+    int32_t down;
     int64_t t_q43;
 
     ocel_recip_short((uint64_t)v->x, &inverse_q31, &e);
-    t_q43 = ocel_asr64(y_short * (int64_t)inverse_q31, (uint32_t)(31 - e));
+    down = 31 - e;
+    t_q43 = ocel_asr64(y_short * (int64_t)inverse_q31, (uint32_t)down);
     v->x += ocel_asr64(y_short * t_q43, 43U - 17U + 1U);
     v->turn_q48 += ocel_asr64(t_q43 * TURN_PER_RADIAN_Q34, 43U + 34U - 48U);
 }
@@ -86,7 +87,9 @@ static int64_t negate_if(int64_t v, int64_t sign) {
 
 /* v * 2^n, n -2..58: exact to the left, rounded to the right. */
 static int64_t scale(int64_t v, int32_t n) {
-    return (n >= 0) ? (int64_t)((uint64_t)v << (uint32_t)n) : ocel_shift_round64(v, (uint32_t)(-n));
+    const int32_t down = -n;
+
+    return (n >= 0) ? ocel_shl64(v, (uint32_t)n) : ocel_shift_round64(v, (uint32_t)down);
 }
 
 void ocel_polar(int64_t x, int64_t y, int64_t *magnitude, uint32_t *turn_q32) {
@@ -101,7 +104,7 @@ void ocel_polar(int64_t x, int64_t y, int64_t *magnitude, uint32_t *turn_q32) {
         const int32_t up = (int32_t)ocel_clz64(spread) - 5;
         /* CORDIC reaches +-99.9 degrees: the left half plane is turned by half
          * a turn first. */
-        const int64_t flip = ocel_asr64(x, 63U);
+        const int64_t flip = ocel_sign64(x);
         const uint32_t half_turn = (uint32_t)flip & 0x80000000U;
         cordic_t v = {negate_if(scale(x, up), flip), negate_if(scale(y, up), flip), 0};
 
@@ -114,11 +117,11 @@ void ocel_polar(int64_t x, int64_t y, int64_t *magnitude, uint32_t *turn_q32) {
 }
 
 /* Minimax polynomials in s = w^2, w in [-1, 1], the angle in eighths of a
- * turn: sin(pi/4 w) / w to 3.4e-12 and cos(pi/4 w) to 4.7e-11. */
-static const int32_t sin_coefficient_q32[4] = {-346799333, 10696157, -157077, 1327};
+ * turn: sin(pi/4 w) / w to 3.4e-12 and cos(pi/4 w) to 4.7e-11; here their
+ * first coefficients, the others in ocel_sincos. */
 #define SIN_FIRST_Q32 ((int64_t)3373259426)
-static const int32_t cos_coefficient_q32[4] = {-1324675869, 68093808, -1399896, 15160};
-#define COS_FIRST_Q32 ((int64_t)1 << 32)
+#define COS_FIRST_Q32 ((int64_t)4294967296)
+#define EIGHTH_TURN_Q32 0x20000000U
 
 /* c[0] s + c[1] s^2 + c[2] s^3 + c[3] s^4 in Q32, s_q31 in [0, 2^31].  Each
  * partial sum is below 0.31 in magnitude, so it fits in 32 bits and its
@@ -133,14 +136,18 @@ static int64_t even_polynomial(const int32_t c[4], int64_t s_q31) {
 }
 
 void ocel_sincos(uint32_t turn_q32, int32_t *sin_q30, int32_t *cos_q30) {
+    static const int32_t sin_coefficient_q32[4] = {-346799333, 10696157, -157077, 1327};
+    static const int32_t cos_coefficient_q32[4] = {-1324675869, 68093808, -1399896, 15160};
     /* The nearest quarter turn, and what is left: [-2^29, 2^29), an eighth. */
-    const uint32_t quarter = (turn_q32 + 0x20000000U) >> 30U;
-    const int64_t w_q29 = (int64_t)((turn_q32 + 0x20000000U) & 0x3FFFFFFFU) - (int64_t)0x20000000;
+    const uint32_t rounded = turn_q32 + EIGHTH_TURN_Q32;
+    const uint32_t quarter = rounded >> 30U;
+    const uint32_t within = rounded & 0x3FFFFFFFU;
+    const int64_t w_q29 = (int64_t)within - (int64_t)EIGHTH_TURN_Q32;
     const int64_t s_q31 = ocel_asr64(w_q29 * w_q29, 27U);
     const int64_t ratio_q32 = SIN_FIRST_Q32 + even_polynomial(sin_coefficient_q32, s_q31);
     const int32_t sine = (int32_t)ocel_shift_round64(w_q29 * ratio_q32, 31U);
-    const int32_t cosine = (int32_t)ocel_shift_round64(
-        COS_FIRST_Q32 + even_polynomial(cos_coefficient_q32, s_q31), 2U);
+    const int64_t cosine_q32 = COS_FIRST_Q32 + even_polynomial(cos_coefficient_q32, s_q31);
+    const int32_t cosine = (int32_t)ocel_shift_round64(cosine_q32, 2U);
 
     /* sin(x + q 90) and cos(x + q 90): odd quarters swap the two. */
     const int32_t sin_size = ((quarter & 1U) != 0U) ? cosine : sine;

@@ -8,7 +8,7 @@
 static int64_t bit_at(const ocel_i128_t *acc, uint32_t n) {
     const uint64_t word = (n < 64U) ? acc->lo : (uint64_t)acc->hi;
 
-    return (int64_t)((word >> (n & 63U)) & 1U);
+    return ocel_signed64((word >> (n & 63U)) & 1U);
 }
 
 /* floor(acc / 2^n), modulo 2^64; n 0..127. */
@@ -18,9 +18,12 @@ static int64_t floor_shift(const ocel_i128_t *acc, uint32_t n) {
     if (n >= 64U) {
         shifted = ocel_asr64(acc->hi, n - 64U);
     } else if (n > 0U) {
-        shifted = (int64_t)(((uint64_t)acc->hi << (64U - n)) | (acc->lo >> n));
+        const uint32_t up = 64U - n;
+        const uint64_t upper = (uint64_t)acc->hi << up;
+
+        shifted = ocel_signed64(upper | (acc->lo >> n));
     } else {
-        shifted = (int64_t)acc->lo;
+        shifted = ocel_signed64(acc->lo);
     }
     return shifted;
 }
@@ -43,14 +46,16 @@ int64_t ocel_i128_shift(const ocel_i128_t *acc, int32_t n) {
         shifted = ocel_i128_shift_right(acc, (uint32_t)n);
     } else {
         /* A result that fits has its value in the low word. */
-        shifted = (int64_t)(acc->lo << (uint32_t)(-n));
+        const int32_t up = -n;
+
+        shifted = ocel_signed64(acc->lo << (uint32_t)up);
     }
     return shifted;
 }
 
 uint32_t ocel_i128_bits(const ocel_i128_t *acc) {
     /* Complementing a negative value gives -v - 1 >= 0, with the same k. */
-    const uint64_t sign = (uint64_t)ocel_asr64(acc->hi, 63U);
+    const uint64_t sign = (uint64_t)ocel_sign64(acc->hi);
     const uint64_t hi = (uint64_t)acc->hi ^ sign;
     const uint64_t lo = acc->lo ^ sign;
 

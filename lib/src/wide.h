@@ -22,12 +22,11 @@ static inline void ocel_i128_add64(ocel_i128_t *acc, int64_t v) {
     const int64_t carry = (lo < acc->lo) ? 1 : 0;
 
     acc->lo = lo;
-    acc->hi += ocel_asr64(v, 63U) + carry;
+    acc->hi += ocel_sign64(v) + carry;
 }
 
 /* acc += a * b, exact.  |a|, |b| <= 2^62; |acc| stays below 2^127: the
- * caller's bound (2^62 values of 2^62 each: at least 8 products of the
- * largest).
+ * caller's bound.
  *
  * With a = ah 2^32 + al, 0 <= al < 2^32, |ah| <= 2^30, and b alike:
  *   ah*bh  <= 2^60 in magnitude.
@@ -36,13 +35,13 @@ static inline void ocel_i128_add64(ocel_i128_t *acc, int64_t v) {
  *            and the three sum to less than 2^63 - 2^32.  Below, each product
  *            is >= -2^62 + 2^30 and the third term >= 0: above -2^63.
  *   The low halves do not overlap, so acc takes one carry. */
-static inline void ocel_i128_mac(ocel_i128_t *acc, int64_t a, int64_t b) {
+static inline void ocel_i128_mac_by_parts(ocel_i128_t *acc, int64_t a, int64_t b) {
     const int64_t ah = ocel_asr64(a, 32U);
     const int64_t bh = ocel_asr64(b, 32U);
     const uint32_t al = (uint32_t)((uint64_t)a & 0xFFFFFFFFU);
     const uint32_t bl = (uint32_t)((uint64_t)b & 0xFFFFFFFFU);
     const uint64_t low = (uint64_t)al * bl;
-    const int64_t middle = (ah * (int64_t)bl) + ((int64_t)al * bh) + (int64_t)(low >> 32U);
+    const int64_t middle = (ah * (int64_t)bl) + ((int64_t)al * bh) + ocel_signed64(low >> 32U);
     const uint64_t product_lo = ((uint64_t)middle << 32U) | (low & 0xFFFFFFFFU);
     const uint64_t lo = acc->lo + product_lo;
     const int64_t carry = (lo < product_lo) ? 1 : 0;
@@ -50,6 +49,21 @@ static inline void ocel_i128_mac(ocel_i128_t *acc, int64_t a, int64_t b) {
     acc->lo = lo;
     acc->hi += (ah * bh) + ocel_asr64(middle, 32U) + carry;
 }
+
+#if defined(__SIZEOF_INT128__)
+static inline void ocel_i128_mac(ocel_i128_t *acc, int64_t a, int64_t b) {
+    const ocel_int128_t product = (ocel_int128_t)a * b;
+    const uint64_t product_lo = (uint64_t)product;
+    const uint64_t lo = acc->lo + product_lo;
+
+    acc->lo = lo;
+    acc->hi += (int64_t)(product >> 64) + ((lo < product_lo) ? 1 : 0);
+}
+#else
+static inline void ocel_i128_mac(ocel_i128_t *acc, int64_t a, int64_t b) {
+    ocel_i128_mac_by_parts(acc, a, b);
+}
+#endif
 
 /* acc / 2^n to the nearest integer, halves towards +infinity; n 0..127.  The
  * result must fit in an int64_t: |acc| < 2^(62 + n) is enough; otherwise its

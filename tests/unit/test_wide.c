@@ -68,10 +68,14 @@ static void products_of_the_edges(void) {
         for (int j = 0; j < EDGE_COUNT; j++) {
             for (int k = 0; k < EDGE_COUNT; k++) {
                 /* Start anywhere, so that carries from both words occur. */
-                i128_t twin = ((i128_t)EDGES[k] * LARGEST) + EDGES[(k + 3) % EDGE_COUNT];
+                const i128_t start = ((i128_t)EDGES[k] * LARGEST) + EDGES[(k + 3) % EDGE_COUNT];
+                i128_t twin = start;
                 ocel_i128_t acc = wide_of(twin);
                 ocel_i128_mac(&acc, EDGES[i], EDGES[j]);
                 twin += (i128_t)EDGES[i] * EDGES[j];
+                assert_same(twin, &acc);
+                acc = wide_of(start);
+                ocel_i128_mac_by_parts(&acc, EDGES[i], EDGES[j]);
                 assert_same(twin, &acc);
             }
         }
@@ -81,6 +85,7 @@ static void products_of_the_edges(void) {
 static void sums_of_random_products(void) {
     i128_t twin = 0;
     ocel_i128_t acc = {0, 0U};
+    ocel_i128_t by_parts = {0, 0U};
     for (int i = 0; i < RANDOM_TRIALS; i++) {
         const int64_t a = any_factor();
         const int64_t b = any_factor();
@@ -88,13 +93,17 @@ static void sums_of_random_products(void) {
         if ((i % 4) == 0) {
             twin = 0; /* the sum stays far below 2^127 */
             acc = wide_of(0);
+            by_parts = wide_of(0);
         }
         twin += (i128_t)a * b;
         ocel_i128_mac(&acc, a, b);
         assert_same(twin, &acc);
+        ocel_i128_mac_by_parts(&by_parts, a, b);
+        assert_same(twin, &by_parts);
         twin += c;
         ocel_i128_add64(&acc, c);
         assert_same(twin, &acc);
+        ocel_i128_add64(&by_parts, c);
     }
 }
 
