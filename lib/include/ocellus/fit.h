@@ -16,13 +16,19 @@
 extern "C" {
 #endif
 
-/* Fits an ellipse to points in any order.
+/* Ranges of the result.  centre_sigma is the Kanatani-Cramer-Rao bound for the
+ * residual and the arc seen, of the distance: it leaves out B2AC's own bias,
+ * which on arcs of 120 degrees is as large again (use OCEL_FIT_HYPER there).
+ * arc_coverage counts 32 sectors of the ellipse, by up to 256 of the points.
+ *
+ * Fits an ellipse to points in any order.
  *   points   count points; not written; may repeat.
- *   options  null means {OCEL_FIT_B2AC, OCEL_PERTURB_AUTO}.
+ *   options  null means {OCEL_FIT_B2AC, OCEL_PERTURB_AUTO, false}.
  *   ellipse  out; written for OCEL_OK and OCEL_PARTIAL, zeroed otherwise.
- * OCEL_OK               an ellipse, vouched for: expected error of the centre
- *                       (centre_sigma) at most 5 % of the semi-minor axis
- * OCEL_PARTIAL          an ellipse, but the arc is too short for its noise
+ * OCEL_OK               an ellipse, vouched for
+ * OCEL_PARTIAL          an ellipse, but the arc is too short: under 124 degrees,
+ *                       and noisy enough that the centre's expected error
+ *                       (centre_sigma) is over 5 % of the semi-minor axis
  * OCEL_TOO_FEW_POINTS   count < OCEL_MIN_FIT_POINTS
  * OCEL_DEGENERATE       collinear, coincident, or no unique best conic
  * OCEL_NOT_AN_ELLIPSE   the best conic is (nearly) a parabola, or no ellipse

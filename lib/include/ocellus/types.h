@@ -65,6 +65,8 @@ typedef enum {
 typedef struct {
     ocel_fit_method_t method;
     ocel_perturb_t perturb; /* read by OCEL_FIT_LCSE only */
+    bool closed;            /* the points are a whole closed boundary, which covers the full
+                               turn: arc_coverage is 1 and need not be measured */
 } ocel_fit_options_t;
 
 /* A fitted ellipse. */

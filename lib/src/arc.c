@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT */
+#include "arc.h"
+
+#include <stdbool.h>
+
+#include "int_math.h"
+#include "q60.h"
+#include "scale.h"
+
+/* The map of an offset in px to a frame in which the ellipse is a circle. */
+typedef struct {
+    int64_t xx_q29;
+    int64_t xy_q29;
+    int64_t yx_q29;
+    int64_t yy_q29;
+} rounding_t;
+
+/* tan of 1/32, 2/32 and 3/32 of a turn, Q16. */
+#define TAN_1_Q16 13036
+#define TAN_2_Q16 27146
+#define TAN_3_Q16 43790
+
+/* centre sigma * sqrt(n) / rms, Q4, when k of 32 sectors are covered, k = 3..32:
+ * the Kanatani-Cramer-Rao bound of the centre, RMS of the vector, for points
+ * spread evenly over one arc of a circle (Fisher matrix of the radial residual
+ * in 1, cos t, sin t, cos 2t, sin 2t; the accuracy tests recompute it). */
+#define SPREAD_FIRST 3U
+static const uint32_t spread_q4[30] = {
+    222283, 70087, 28577, 13704, 7347, 4272, 2642, 1715, 1157, 806, 577, 422, 314, 238, 184,
+    143,    114,   91,    75,    62,   53,   46,   41,   38,   35,  34,  33,  32,  32,  32};
+
+/* sqrt(form) * G^-1 up to scale: with q = (1+v) (X + w/(1+v) Y)^2 +
+ * flatness/(1+v) Y^2, the rows are ((1+v) X + w Y) and sqrt(flatness) Y, where
+ * X ~ g22 dx and Y ~ g11 dy - g21 dx. */
+static rounding_t rounding_of(const ocel_conic_t *conic, const ocel_frame_t *frame) {
+    const int64_t root = ocel_sqrt_q60((uint64_t)ocel_conic_flatness_q60(conic));
+    const int64_t xx = ocel_mul_q60(OCEL_Q60_ONE + conic->v_q60, frame->g22_q60) -
+                       ocel_mul_q60(conic->w_q60, frame->g21_q60);
+    const int64_t xy = ocel_mul_q60(conic->w_q60, frame->g11_q60);
+    const int64_t yx = -ocel_mul_q60(root, frame->g21_q60);
+    const int64_t yy = ocel_mul_q60(root, frame->g11_q60);
+    const uint64_t most = ocel_abs64(xx) | ocel_abs64(xy) | ocel_abs64(yx) | ocel_abs64(yy) | 1U;
+    const int32_t e = (int32_t)ocel_clz64(most) - 35; /* to 29 bits */
+    rounding_t map;
+
+    map.xx_q29 = ocel_scale_q60(xx, e);
+    map.xy_q29 = ocel_scale_q60(xy, e);
+    map.yx_q29 = ocel_scale_q60(yx, e);
+    map.yy_q29 = ocel_scale_q60(yy, e);
+    return map;
+}
+
+/* The sector, 0..31, of a direction; |x|, |y| < 2^31.  An eighth of a turn is
+ * counted from the nearer axis; each fold mirrors the count. */
+static inline uint32_t sector_of(int64_t x, int64_t y) {
+    const int64_t ax = (int64_t)ocel_abs64(x);
+    const int64_t ay = (int64_t)ocel_abs64(y);
+    const bool steep = ax < ay;
+    const int64_t small_q16 = (steep ? ax : ay) * 65536;
+    const int64_t large = steep ? ay : ax;
+    uint32_t sector = (uint32_t)(small_q16 >= (large * TAN_1_Q16)) +
+                      (uint32_t)(small_q16 >= (large * TAN_2_Q16)) +
+                      (uint32_t)(small_q16 >= (large * TAN_3_Q16));
+
+    sector ^= steep ? 7U : 0U;
+    sector ^= (x < 0) ? 15U : 0U;
+    return sector ^ ((y < 0) ? 31U : 0U);
+}
+
+/* One bit for each sector that holds a sampled point.  Offsets are below 2^32
+ * in Q16, so a sum of two products is below 2^62. */
+static uint32_t sectors_hit(const ocel_source_t *source, const rounding_t *map,
+                            const ocel_ellipse_t *ellipse, uint32_t step) {
+    const int64_t cx = ellipse->cx_px_q16;
+    const int64_t cy = ellipse->cy_px_q16;
+    uint32_t hit = 0U;
+    size_t i;
+
+    for (i = 0U; i < source->count; i += step) { /* bound: OCEL_ARC_SAMPLES */
+        const ocel_pair_t p = ocel_source_px_q16(source, i);
+        const int64_t x = (map->xx_q29 * (p.x - cx)) + (map->xy_q29 * (p.y - cy));
+        const int64_t y = (map->yx_q29 * (p.x - cx)) + (map->yy_q29 * (p.y - cy));
+
+        hit |= 1U << sector_of(ocel_asr64(x, 31U), ocel_asr64(y, 31U));
+    }
+    return hit;
+}
+
+/* Sectors covered: those hit and the gaps between them that are no longer than
+ * `gap`, which so few samples may leave in a covered arc. */
+static uint32_t sectors_covered(uint32_t hit, uint32_t gap) {
+    uint32_t covered = 0U;
+    uint32_t empty = 0U;
+    bool started = false;
+    uint32_t i;
+
+    for (i = 0U; i < (2U * OCEL_ARC_SECTORS); i++) { /* bound: two turns */
+        if ((hit & (1U << (i % OCEL_ARC_SECTORS))) != 0U) {
+            if (started && (i >= OCEL_ARC_SECTORS) && (empty <= gap)) {
+                covered += empty;
+            }
+            covered += (i >= OCEL_ARC_SECTORS) ? 1U : 0U;
+            empty = 0U;
+            started = true;
+        } else {
+            empty++;
+        }
+    }
+    return covered;
+}
+
+/* rms * spread / sqrt(count): rms < 2^30, spread < 2^18. */
+static uint32_t centre_sigma(uint32_t rms_px_q16, uint32_t count, uint32_t covered) {
+    const uint32_t index = (covered < SPREAD_FIRST) ? 0U : (covered - SPREAD_FIRST);
+    const uint64_t spread = (uint64_t)rms_px_q16 * spread_q4[index];
+    ocel_scaled_t root;
+    uint64_t sigma;
+
+    ocel_rsqrt_q60((uint64_t)count << 40U, &root.y_q60, &root.e); /* 2^10 / sqrt(count) */
+    sigma = (spread >> 4U) * (uint64_t)ocel_shift_round64(root.y_q60, 46U);
+    sigma = (uint64_t)ocel_scale_q60((int64_t)sigma, root.e - 24);
+    return (sigma > UINT32_MAX) ? UINT32_MAX : (uint32_t)sigma;
+}
+
+uint32_t ocel_arc_sectors(const ocel_source_t *source, const ocel_conic_t *conic,
+                          const ocel_frame_t *frame, const ocel_ellipse_t *ellipse) {
+    const rounding_t map = rounding_of(conic, frame);
+    const uint32_t count = (uint32_t)source->count;
+    const uint32_t step = (count + (OCEL_ARC_SAMPLES - 1U)) / OCEL_ARC_SAMPLES;
+    const uint32_t samples = (count < OCEL_ARC_SAMPLES) ? count : OCEL_ARC_SAMPLES;
+
+    return sectors_covered(sectors_hit(source, &map, ellipse, step),
+                           (2U * OCEL_ARC_SECTORS) / samples);
+}
+
+void ocel_arc_judge(uint32_t sectors, ocel_ellipse_t *ellipse) {
+    ellipse->arc_coverage_q16 = sectors * (65536U / OCEL_ARC_SECTORS);
+    ellipse->centre_sigma_px_q16 = centre_sigma(ellipse->rms_px_q16, ellipse->point_count, sectors);
+}

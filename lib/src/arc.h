@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How much of the ellipse the points cover, and what that does to the centre.
+ */
+#ifndef OCELLUS_ARC_H
+#define OCELLUS_ARC_H
+
+#include <stdint.h>
+
+#include <ocellus/types.h>
+
+#include "conic.h"
+#include "moments.h"
+
+/* Sectors into which the turn is divided. */
+#define OCEL_ARC_SECTORS 32U
+
+/* Points that are looked at, evenly spaced in the order given. */
+#define OCEL_ARC_SAMPLES 256U
+
+/* Sectors, 0..32, that the points cover as seen from the ellipse's centre, in a
+ * frame in which the ellipse is a circle. */
+uint32_t ocel_arc_sectors(const ocel_source_t *source, const ocel_conic_t *conic,
+                          const ocel_frame_t *frame, const ocel_ellipse_t *ellipse);
+
+/* Writes arc_coverage and centre_sigma of an ellipse whose residual and point
+ * count are there. */
+void ocel_arc_judge(uint32_t sectors, ocel_ellipse_t *ellipse);
+
+#endif

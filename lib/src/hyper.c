@@ -1,0 +1,302 @@
+/* SPDX-License-Identifier: MIT */
+#include "hyper.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+#include "int_math.h"
+#include "q60.h"
+#include "scale.h"
+
+/* Inverse power steps t <- cov^-1 N t.  The second eigenvalue is 10 to 100 times
+ * the first on arcs that an ellipse can be fitted to: after three steps the
+ * centre is within 1 % of its expected error of the limit, after four no noise
+ * that leaves an ellipse moves it. */
+#define POWER_STEPS 4U
+
+/* Monomials without the constant, in the order x, y, xx, xy, yy. */
+#define SIZE 5U
+#define AT_X 0U
+#define AT_Y 1U
+#define AT_XX 2U
+#define AT_XY 3U
+#define AT_YY 4U
+
+/* Pivots: a middle one below this means no unique conic; the last one, which is
+ * zero for exact points, is taken as this instead. */
+#define LEAST_Q60 ((int64_t)1 << 10)
+
+/* |A + C| at least 2^-12 of the largest coefficient; 4AC - B^2 >= 2^-28. */
+#define ROUND_MIN_BITS 12U
+#define FLAT_Q60 ((int64_t)1 << 32)
+
+/* Coefficients are kept with the largest in [2^57, 2^58): a quarter, so that
+ * five of them times entries of 1.01 stay below 2. */
+#define VECTOR_BITS 58
+
+typedef struct {
+    int64_t t[SIZE];
+} vector_t;
+
+typedef struct {
+    int64_t a[SIZE][SIZE]; /* symmetric, both triangles filled */
+    int64_t p;             /* the noise's covariance in the frame, up to scale */
+    int64_t q;
+    int64_t r;
+} metric_t;
+
+static int32_t bits_of(int64_t value) {
+    return 64 - (int32_t)ocel_clz64(ocel_abs64(value));
+}
+
+/* Isotropic noise in the image is adj(G) adj(G)' in the frame, up to scale;
+ * scaled here to at most 1/8. */
+static void noise_metric(const ocel_frame_t *frame, metric_t *n) {
+    const int64_t p = ocel_mul_q60(frame->g22_q60, frame->g22_q60);
+    const int64_t q = -ocel_mul_q60(frame->g22_q60, frame->g21_q60);
+    const int64_t r =
+        ocel_mul_q60(frame->g21_q60, frame->g21_q60) + ocel_mul_q60(frame->g11_q60, frame->g11_q60);
+    const int32_t e = 57 - bits_of((p > r) ? p : r);
+
+    n->p = ocel_scale_q60(p, e);
+    n->q = ocel_scale_q60(q, e);
+    n->r = ocel_scale_q60(r, e);
+}
+
+/* N_T = mean of J S J', J the gradients of the monomials and S = [p q; q r].
+ * Every entry is at most 4 * 1.01 / 8. */
+static void taubin_matrix(const int64_t *m, metric_t *n) {
+    const int64_t px = ocel_mul_q60(n->p, m[OCEL_M_X]);
+    const int64_t qx = ocel_mul_q60(n->q, m[OCEL_M_X]);
+    const int64_t rx = ocel_mul_q60(n->r, m[OCEL_M_X]);
+    const int64_t py = ocel_mul_q60(n->p, m[OCEL_M_Y]);
+    const int64_t qy = ocel_mul_q60(n->q, m[OCEL_M_Y]);
+    const int64_t ry = ocel_mul_q60(n->r, m[OCEL_M_Y]);
+    const int64_t pxx = ocel_mul_q60(n->p, m[OCEL_M_XX]);
+    const int64_t qxx = ocel_mul_q60(n->q, m[OCEL_M_XX]);
+    const int64_t rxx = ocel_mul_q60(n->r, m[OCEL_M_XX]);
+    const int64_t pxy = ocel_mul_q60(n->p, m[OCEL_M_XY]);
+    const int64_t qxy = ocel_mul_q60(n->q, m[OCEL_M_XY]);
+    const int64_t rxy = ocel_mul_q60(n->r, m[OCEL_M_XY]);
+    const int64_t pyy = ocel_mul_q60(n->p, m[OCEL_M_YY]);
+    const int64_t qyy = ocel_mul_q60(n->q, m[OCEL_M_YY]);
+    const int64_t ryy = ocel_mul_q60(n->r, m[OCEL_M_YY]);
+    uint32_t i;
+    uint32_t j;
+
+    n->a[AT_X][AT_X] = ocel_mul_q60(n->p, m[OCEL_M_1]);
+    n->a[AT_Y][AT_X] = ocel_mul_q60(n->q, m[OCEL_M_1]);
+    n->a[AT_Y][AT_Y] = ocel_mul_q60(n->r, m[OCEL_M_1]);
+    n->a[AT_XX][AT_X] = 2 * px;
+    n->a[AT_XX][AT_Y] = 2 * qx;
+    n->a[AT_XY][AT_X] = py + qx;
+    n->a[AT_XY][AT_Y] = qy + rx;
+    n->a[AT_YY][AT_X] = 2 * qy;
+    n->a[AT_YY][AT_Y] = 2 * ry;
+    n->a[AT_XX][AT_XX] = 4 * pxx;
+    n->a[AT_XY][AT_XX] = 2 * (pxy + qxx);
+    n->a[AT_XY][AT_XY] = pyy + (2 * qxy) + rxx;
+    n->a[AT_YY][AT_XX] = 4 * qxy;
+    n->a[AT_YY][AT_XY] = 2 * (qyy + rxy);
+    n->a[AT_YY][AT_YY] = 4 * ryy;
+    for (i = 0U; i < SIZE; i++) {         /* bound: SIZE */
+        for (j = i + 1U; j < SIZE; j++) { /* bound: SIZE */
+            n->a[i][j] = n->a[j][i];
+        }
+    }
+}
+
+/* Scales all of v by 2^e. */
+static void scale_vector(vector_t *v, int32_t e) {
+    uint32_t i;
+
+    for (i = 0U; i < SIZE; i++) { /* bound: SIZE */
+        v->t[i] = ocel_scale_q60(v->t[i], (e < -62) ? -62 : e);
+    }
+}
+
+/* Brings the largest coefficient to VECTOR_BITS. */
+static void normalise_vector(vector_t *v) {
+    uint64_t all = 1U;
+    uint32_t i;
+
+    for (i = 0U; i < SIZE; i++) { /* bound: SIZE */
+        all |= ocel_abs64(v->t[i]);
+    }
+    scale_vector(v, VECTOR_BITS - (64 - (int32_t)ocel_clz64(all)));
+}
+
+/* v[i] <- rest / L[i][i].  The whole vector, solved and unsolved parts alike,
+ * is scaled down as far as the new element needs to stay below 2^57. */
+static void divide_element(vector_t *v, uint32_t i, int64_t rest, const ocel_scaled_t *inverse) {
+    const int64_t product = ocel_mul_q60(rest, inverse->y_q60);
+    const int32_t over = (bits_of(product) + inverse->e) - (VECTOR_BITS - 1);
+    const int32_t down = (over > 0) ? over : 0;
+
+    v->t[i] = 0;
+    if (down > 0) {
+        scale_vector(v, -down);
+    }
+    v->t[i] = ocel_scale_q60(product, inverse->e - down);
+}
+
+/* v <- (L L')^-1 v up to scale, L the factor of the covariance. */
+static void solve(const ocel_scatter_t *scatter, vector_t *v) {
+    uint32_t i;
+    uint32_t k;
+
+    for (i = 0U; i < SIZE; i++) { /* bound: SIZE */
+        int64_t rest = v->t[i];
+
+        for (k = 0U; k < i; k++) { /* bound: SIZE */
+            rest -= ocel_mul_q60(scatter->a_q60[i + 1U][k + 1U], v->t[k]);
+        }
+        divide_element(v, i, rest, &scatter->inverse[i + 1U]);
+    }
+    for (i = SIZE; i > 0U; i--) { /* bound: SIZE */
+        int64_t rest = v->t[i - 1U];
+
+        for (k = i; k < SIZE; k++) { /* bound: SIZE */
+            rest -= ocel_mul_q60(scatter->a_q60[k + 1U][i], v->t[k]);
+        }
+        divide_element(v, i - 1U, rest, &scatter->inverse[i]);
+    }
+    normalise_vector(v);
+}
+
+static vector_t times_metric(const metric_t *n, const vector_t *v) {
+    vector_t out;
+    uint32_t i;
+    uint32_t k;
+
+    for (i = 0U; i < SIZE; i++) { /* bound: SIZE */
+        int64_t sum = 0;
+
+        for (k = 0U; k < SIZE; k++) { /* bound: SIZE */
+            sum += ocel_mul_q60(n->a[i][k], v->t[k]);
+        }
+        out.t[i] = sum;
+    }
+    return out;
+}
+
+/* t' cov t = |L' t|^2. */
+static int64_t residual_q60(const ocel_scatter_t *scatter, const vector_t *v) {
+    int64_t sum = 0;
+    uint32_t i;
+    uint32_t k;
+
+    for (k = 0U; k < SIZE; k++) { /* bound: SIZE */
+        int64_t component = 0;
+
+        for (i = k; i < SIZE; i++) { /* bound: SIZE */
+            component += ocel_mul_q60(scatter->a_q60[i + 1U][k + 1U], v->t[i]);
+        }
+        sum += ocel_mul_q60(component, component);
+    }
+    return sum;
+}
+
+/* The factor of the whole matrix, its last pivot kept above zero. */
+static bool finish_factor(ocel_scatter_t *scatter) {
+    int64_t *const last = &scatter->a_q60[OCEL_S_YY][OCEL_S_YY];
+    bool unique = ocel_scatter_eliminate(scatter, (uint32_t)OCEL_S_XX, LEAST_Q60);
+
+    if (unique) {
+        unique = ocel_scatter_eliminate(scatter, (uint32_t)OCEL_S_XY, LEAST_Q60);
+    }
+    if (unique) {
+        *last = (*last < LEAST_Q60) ? LEAST_Q60 : *last;
+        (void)ocel_scatter_eliminate(scatter, (uint32_t)OCEL_S_YY, 1);
+    }
+    return unique;
+}
+
+/* value / (A + C), where |value| < 2 |A + C|; in Q60 scaled by 2^e more. */
+static int64_t over(int64_t value, const ocel_scaled_t *inverse, int32_t e) {
+    return ocel_scale_q60(ocel_mul_q60(value, inverse->y_q60), inverse->e + e);
+}
+
+/* Scales the vector to A + C = 1. */
+static ocel_status_t conic_of(const vector_t *v, ocel_conic_t *conic, ocel_scaled_t *inverse) {
+    const int64_t sum = v->t[AT_XX] + v->t[AT_YY];
+    const int64_t difference = v->t[AT_XX] - v->t[AT_YY];
+    const uint64_t size = ocel_abs64(sum);
+    ocel_status_t status = OCEL_NOT_AN_ELLIPSE;
+
+    if ((size >= ((uint64_t)1 << (57U - ROUND_MIN_BITS))) && (ocel_abs64(difference) < size) &&
+        (ocel_abs64(v->t[AT_XY]) < size)) {
+        ocel_recip_q60(size, &inverse->y_q60, &inverse->e);
+        inverse->y_q60 = (sum < 0) ? -inverse->y_q60 : inverse->y_q60;
+        conic->v_q60 = over(difference, inverse, 0);
+        conic->w_q60 = over(v->t[AT_XY], inverse, 0);
+        conic->d_q48 = over(v->t[AT_X], inverse, -12);
+        conic->e_q48 = over(v->t[AT_Y], inverse, -12);
+        status = (ocel_conic_flatness_q60(conic) < FLAT_Q60) ? OCEL_NOT_AN_ELLIPSE : OCEL_OK;
+    }
+    return status;
+}
+
+/* lambda = (t' cov t) / (t' N t), the noise's variance in the metric's unit; a
+ * value of 1 or more, noise as large as the figure, is refused. */
+static bool variance_q60(int64_t residual, const metric_t *n, const vector_t *v, int64_t *lambda) {
+    const vector_t nv = times_metric(n, v);
+    int64_t gradient = 0;
+    bool usable;
+    uint32_t i;
+
+    for (i = 0U; i < SIZE; i++) { /* bound: SIZE */
+        gradient += ocel_mul_q60(nv.t[i], v->t[i]);
+    }
+    usable = (residual >= 0) && (gradient > residual);
+    if (usable) {
+        ocel_scaled_t inverse;
+
+        ocel_recip_q60((uint64_t)gradient, &inverse.y_q60, &inverse.e);
+        *lambda = over(residual, &inverse, 0);
+    }
+    return usable;
+}
+
+/* The polynomial's mean over the points that makes the fit unbiased, and its
+ * mean square. */
+static ocel_status_t finish_conic(const ocel_scatter_t *scatter, const metric_t *n,
+                                  const vector_t *v, ocel_conic_t *conic) {
+    const int64_t residual = residual_q60(scatter, v);
+    ocel_scaled_t inverse;
+    int64_t lambda;
+    ocel_status_t status = conic_of(v, conic, &inverse);
+
+    if ((status == OCEL_OK) && (!variance_q60(residual, n, v, &lambda))) {
+        status = OCEL_NOT_AN_ELLIPSE;
+    }
+    if (status == OCEL_OK) {
+        const int64_t bias = ocel_mul_q60(n->p, v->t[AT_XX]) + ocel_mul_q60(n->q, v->t[AT_XY]) +
+                             ocel_mul_q60(n->r, v->t[AT_YY]);
+
+        conic->mean_q60 = over(ocel_mul_q60(lambda, bias), &inverse, 0);
+        conic->energy.y_q60 = ocel_mul_q60(residual, ocel_mul_q60(inverse.y_q60, inverse.y_q60));
+        conic->energy.e = 2 * inverse.e;
+    }
+    return status;
+}
+
+ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, ocel_scatter_t *scatter,
+                               ocel_conic_t *conic) {
+    vector_t v = {{0, 0, (int64_t)1 << 57, 0, (int64_t)1 << 57}};
+    ocel_status_t status = OCEL_DEGENERATE;
+
+    if (finish_factor(scatter)) {
+        metric_t n;
+        uint32_t i;
+
+        noise_metric(&moments->frame, &n);
+        taubin_matrix(moments->m_q60, &n);
+        for (i = 0U; i < POWER_STEPS; i++) { /* bound: POWER_STEPS */
+            v = times_metric(&n, &v);
+            solve(scatter, &v);
+        }
+        status = finish_conic(scatter, &n, &v, conic);
+    }
+    return status;
+}

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Moments of the points up to the fourth order, in a frame in which they fill
+ * the square [-1, 1] x [-1, 1]: all that the fits need to know of them.
+ */
+#ifndef OCELLUS_MOMENTS_H
+#define OCELLUS_MOMENTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <ocellus/status.h>
+#include <ocellus/types.h>
+
+/* Places of the moments: OCEL_M_XY is the mean of x*y, and so on. */
+enum {
+    OCEL_M_1 = 0,
+    OCEL_M_X,
+    OCEL_M_Y,
+    OCEL_M_XX,
+    OCEL_M_XY,
+    OCEL_M_YY,
+    OCEL_M_XXX,
+    OCEL_M_XXY,
+    OCEL_M_XYY,
+    OCEL_M_YYY,
+    OCEL_M_XXXX,
+    OCEL_M_XXXY,
+    OCEL_M_XXYY,
+    OCEL_M_XYYY,
+    OCEL_M_YYYY,
+    OCEL_M_COUNT
+};
+
+/* The affine map from the normalised frame to the image, G lower triangular:
+ *   (x, y) px = ((x0, y0) in Q24) + 2^scale_log2 * G * (u, v), G in Q17 px. */
+typedef struct {
+    int64_t x0_px_q24; /* |.| <= 2^42 */
+    int64_t y0_px_q24;
+    int64_t g11_q60;    /* 2^24 <= g11 <= 2^59: at most 1/2 */
+    int64_t g21_q60;    /* |g21| <= 2^59 */
+    int64_t g22_q60;    /* 1 <= g22 <= 2^59 */
+    int32_t scale_log2; /* 17..36 */
+} ocel_frame_t;
+
+typedef struct {
+    int64_t m_q60[OCEL_M_COUNT]; /* sums divided by 2^ceil(log2 n): |.| <= 1.01 */
+    ocel_frame_t frame;
+} ocel_moments_t;
+
+/* Points to be read, of one kind or the other. */
+typedef struct {
+    const ocel_point_t *points; /* null: cracks */
+    const ocel_crack_t *cracks;
+    size_t count;
+} ocel_source_t;
+
+/* A point in Q16 px; as wide as the arithmetic that follows. */
+typedef struct {
+    int64_t x;
+    int64_t y;
+} ocel_pair_t;
+
+/* Point i in Q16 px, i < count. */
+static inline ocel_pair_t ocel_source_px_q16(const ocel_source_t *source, size_t i) {
+    ocel_pair_t p;
+
+    if (source->points != NULL) {
+        p.x = source->points[i].x_px_q16;
+        p.y = source->points[i].y_px_q16;
+    } else {
+        p.x = (int64_t)source->cracks[i].x_hpx * 32768;
+        p.y = (int64_t)source->cracks[i].y_hpx * 32768;
+    }
+    return p;
+}
+
+/* Moments of cracks by exact 64-bit sums about a point amid them, in one pass;
+ * the frame's sides are powers of two.  Maini's box would cost a second pass
+ * and, the fits being affine invariant, change nothing.
+ * False, and nothing usable, when the sums could exceed 62 bits: 4 log2 of the
+ * extent from that point plus log2 of the count, so never for points within
+ * 2^11 px of it up to 2^14 of them. */
+bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_moments_t *moments);
+
+/* Moments of any points by 128-bit sums, sheared so that x and y do not
+ * correlate; `perturb` applies the LCSE perturbation in Maini's frame instead.
+ * OCEL_OK, OCEL_DEGENERATE (no width or no height), OCEL_OUT_OF_RANGE. */
+ocel_status_t ocel_moments_of_source(const ocel_source_t *source, bool perturb,
+                                     ocel_moments_t *moments);
+
+#endif

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The scatter matrix S = D^T D of the monomials 1, x, y, xx, xy, yy (paper,
+ * eqs. 5 and 7) and its elimination, column by column.
+ */
+#ifndef OCELLUS_SCATTER_H
+#define OCELLUS_SCATTER_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "moments.h"
+#include "scale.h"
+
+/* Columns: the constant and the linear monomials come first, so that three
+ * eliminations leave the 3x3 problem of the quadratic ones. */
+enum { OCEL_S_1 = 0, OCEL_S_X, OCEL_S_Y, OCEL_S_XX, OCEL_S_XY, OCEL_S_YY, OCEL_S_COUNT };
+
+/* The lower triangle of S.  An eliminated column k holds the Cholesky factor
+ * L from its diagonal down, and inverse[k] = 1 / L[k][k]; the rest holds the Schur
+ * complement.  Every entry stays within 1.02: S is positive semi-definite with
+ * diagonal entries of at most 1.01, and so is each of its complements, so by
+ * Cauchy-Schwarz no entry and no factor can outgrow its diagonal. */
+typedef struct {
+    int64_t a_q60[OCEL_S_COUNT][OCEL_S_COUNT];
+    ocel_scaled_t inverse[OCEL_S_COUNT];
+    int64_t covariance_xx_q60; /* of x and y, times the weight S[1][1] */
+    int64_t covariance_xy_q60;
+    int64_t covariance_yy_q60;
+} ocel_scatter_t;
+
+/* Eliminates column k.  False, and nothing done, when the pivot is below
+ * `least_q60` (>= 1): the column depends on those before it. */
+bool ocel_scatter_eliminate(ocel_scatter_t *scatter, uint32_t k, int64_t least_q60);
+
+/* Fills S, eliminates the constant and the linear columns, and keeps the
+ * covariance on the way.  False when the points are collinear. */
+bool ocel_scatter_reduce(const ocel_moments_t *moments, ocel_scatter_t *scatter);
+
+#endif
