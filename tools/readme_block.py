@@ -31,7 +31,9 @@ def cells(line):
 
 
 def compare_cell(stated, measured, tolerance):
-    """True when the texts agree and each number is within tolerance percent."""
+    """True when the texts agree, but for the width of blanks, and each number is
+    within tolerance percent."""
+    stated, measured = " ".join(stated.split()), " ".join(measured.split())
     if stated == measured:
         return True
     if NUMBER.sub("#", stated) != NUMBER.sub("#", measured):
