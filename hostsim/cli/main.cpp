@@ -47,23 +47,18 @@ void check_command(const CLI::App &app, int argc, char **argv) {
     }
 }
 
-// What went wrong, and the words that belong to no option, if any.
+// What went wrong: the first word that belongs to no option, when there is one.
 void report(const CLI::App &app, const CLI::ParseError &mistake) {
     std::string command = "ocellus";
     for (const CLI::App *const chosen : app.get_subcommands()) {
         command += " " + chosen->get_name();
     }
-    std::string unknown;
-    for (const std::string &word : app.remaining(true)) {
-        unknown += (unknown.empty() ? "" : " ") + word;
-    }
-    if (unknown.empty()) {
-        std::fprintf(stderr, "%s: error: %s; see %s --help\n", command.c_str(), mistake.what(),
-                     command.c_str());
-    } else {
-        std::fprintf(stderr, "%s: error: found %s, which is no option here; see %s --help\n",
-                     command.c_str(), cli::quoted(unknown).c_str(), command.c_str());
-    }
+    const std::vector<std::string> unknown = app.remaining(true);
+    const std::string what = unknown.empty()
+                                 ? mistake.what()
+                                 : "found " + cli::quoted(unknown[0]) + ", which is no option here";
+    std::fprintf(stderr, "%s: error: %s; see %s --help\n", command.c_str(), what.c_str(),
+                 command.c_str());
 }
 
 // Turns the parser's exceptions into exit codes.
