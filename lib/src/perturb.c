@@ -26,10 +26,9 @@
 /* A = 0.001 * 2^41. */
 #define AMPLITUDE_Q41 ((int64_t)2199023256)
 
-/* v * cos, where cos = v's own coordinate over rho: shift = 67 - 26 - e puts
- * coordinate (Q26) * 1/rho (Q31, 2^e) * displacement (Q36) into Q26 in two
- * steps.  |coordinate| <= 2^26, so coordinate * y <= 2^57; |cos| <= 1 + 2^-28
- * in Q30 and displacement < 2^26.1, so their product is below 2^57. */
+/* v + displacement * v / rho, v one coordinate, 1/rho = inverse * 2^e, e 0..26.
+ * |v| <= 2^26, so v * inverse <= 2^57; v / rho is a cosine, |.| <= 1 + 2^-28 in
+ * Q30, and the displacement is below 2^26.1, so their product is below 2^57. */
 static int32_t moved(int32_t v_q26, uint32_t inverse_q31, int32_t e, int64_t displacement_q36) {
     const int32_t down = 27 - e; /* Q26 * Q31 to Q30, and 2^e */
     const int64_t cosine_q30 =

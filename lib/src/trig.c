@@ -139,9 +139,9 @@ void ocel_sincos(uint32_t turn_q32, int32_t *sin_q30, int32_t *cos_q30) {
     static const int32_t sin_coefficient_q32[4] = {-346799333, 10696157, -157077, 1327};
     static const int32_t cos_coefficient_q32[4] = {-1324675869, 68093808, -1399896, 15160};
     /* The nearest quarter turn, and what is left: [-2^29, 2^29), an eighth. */
-    const uint32_t rounded = turn_q32 + EIGHTH_TURN_Q32;
-    const uint32_t quarter = rounded >> 30U;
-    const uint32_t within = rounded & 0x3FFFFFFFU;
+    const uint32_t shifted = turn_q32 + EIGHTH_TURN_Q32;
+    const uint32_t quarter = shifted >> 30U;
+    const uint32_t within = shifted & 0x3FFFFFFFU;
     const int64_t w_q29 = (int64_t)within - (int64_t)EIGHTH_TURN_Q32;
     const int64_t s_q31 = ocel_asr64(w_q29 * w_q29, 27U);
     const int64_t ratio_q32 = SIN_FIRST_Q32 + even_polynomial(sin_coefficient_q32, s_q31);
