@@ -28,8 +28,8 @@ third_party="$root/build/third_party"
 
 demo_packages=(build-essential cmake python3 python3-pip ca-certificates
     libpng-dev libcli11-dev nlohmann-json3-dev)
-test_packages=(git clang-19 clang-format-19 libclang-rt-19-dev llvm-19 gcc-arm-none-eabi
-    libnewlib-arm-none-eabi binutils-arm-none-eabi valgrind libopencv-dev)
+test_packages=(clang-19 clang-format-19 libclang-rt-19-dev llvm-19 gcc-arm-none-eabi
+    libnewlib-arm-none-eabi binutils-arm-none-eabi valgrind libc6-dbg libopencv-dev)
 
 # --- Debian packages ---------------------------------------------------------
 packages=("${demo_packages[@]}")
