@@ -53,7 +53,7 @@ step "1/5 installing what is missing"
 tools/setup.sh demo
 
 step "2/5 building (build/host)"
-quietly cmake --preset host
+quietly cmake --preset host -DBUILD_TESTING=OFF
 quietly cmake --build --preset host --target ocellus_cli ball_sequence
 mkdir -p "$out"
 echo "built $("$bin/ocellus" --version)"
