@@ -93,8 +93,9 @@ static void run_trial(double radius, rng_t *rng, column_t *columns) {
     }
     const size_t count = boundary_of_mask(&cracks);
     for (int m = 1; m < METHODS; m++) {
-        const ocel_fit_options_t options = {methods[m - 1], OCEL_PERTURB_AUTO};
+        ocel_fit_options_t options = fit_options(methods[m - 1], OCEL_PERTURB_AUTO);
         ocel_ellipse_t answer;
+        options.closed = true;
         if (ocel_fit_cracks(cracks, count, &options, &answer) == OCEL_OK) {
             e = fit_to_double(&answer);
             add(&columns[m], &e, cx, cy, radius);

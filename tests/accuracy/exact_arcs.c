@@ -68,7 +68,7 @@ static bin_t *bin_of(bin_t *bins, double arc_deg) {
 static void run_case(const case_t *c, bin_t *bin) {
     static ref_point_t points[MAX_POINTS];
     static ocel_point_t fixed[MAX_POINTS];
-    const ocel_fit_options_t options = {OCEL_FIT_B2AC, OCEL_PERTURB_AUTO};
+    const ocel_fit_options_t options = fit_options(OCEL_FIT_B2AC, OCEL_PERTURB_AUTO);
     ocel_ellipse_t answer;
     ref_ellipse_t reference;
     ref_ellipse_t strict;

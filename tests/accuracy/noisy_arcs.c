@@ -60,7 +60,7 @@ static void run_trial(const arc_t *arc, const ref_ellipse_t *truth, const double
     }
     fit_round_points(points, fixed, arc->count);
     for (int k = 0; k < OURS; k++) {
-        const ocel_fit_options_t options = {ours[k], OCEL_PERTURB_AUTO};
+        const ocel_fit_options_t options = fit_options(ours[k], OCEL_PERTURB_AUTO);
         ocel_ellipse_t answer;
         if (fit_has_ellipse(ocel_fit_points(fixed, arc->count, &options, &answer))) {
             const ref_ellipse_t e = fit_to_double(&answer);

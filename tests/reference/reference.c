@@ -462,6 +462,39 @@ double ref_rms(const ref_conic_t *conic, const ref_point_t *points, size_t count
     return (double)(conic->scale * sqrtl(squares / gradients));
 }
 
+/* ---- LCSE ---- */
+
+static void perturb_in_square(ref_real_t *u, ref_real_t *v) {
+    const ref_real_t rho = hypotl(*u, *v);
+    const ref_real_t turn = atan2l(*v, *u) / (2 * PI);
+    const ref_real_t theta = roundl((turn - floorl(turn)) * 4294967296.0L) / 4294967296.0L;
+    const ref_real_t shift = 0.001L * sinl(2 * PI * fmodl(1000 * 2 * PI * theta, 1));
+    if (rho > 0) {
+        *u += shift * *u / rho;
+        *v += shift * *v / rho;
+    }
+}
+
+void ref_lcse_perturb(const ref_point_t *points, size_t count, ref_point_t *perturbed) {
+    ref_real_t low[2] = {points[0].x, points[0].y};
+    ref_real_t high[2] = {points[0].x, points[0].y};
+    for (size_t i = 1; i < count; i++) {
+        low[0] = fminl(low[0], points[i].x);
+        low[1] = fminl(low[1], points[i].y);
+        high[0] = fmaxl(high[0], points[i].x);
+        high[1] = fmaxl(high[1], points[i].y);
+    }
+    for (size_t i = 0; i < count; i++) {
+        const ref_real_t side_x = (high[0] - low[0]) / 2;
+        const ref_real_t side_y = (high[1] - low[1]) / 2;
+        ref_real_t u = (points[i].x - low[0]) / side_x - 1;
+        ref_real_t v = (points[i].y - low[1]) / side_y - 1;
+        perturb_in_square(&u, &v);
+        perturbed[i].x = (double)(low[0] + (u + 1) * side_x);
+        perturbed[i].y = (double)(low[1] + (v + 1) * side_y);
+    }
+}
+
 /* ---- The textbook's B2AC ---- */
 
 /* inverse = m^-1 by Gauss-Jordan with partial pivoting, in double as the textbooks'

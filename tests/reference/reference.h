@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * The truth that the fixed-point fit is measured against: the same estimators
- * in long double, by other means (symmetric Jacobi, no cubic, no elimination),
- * and the bound that no estimator beats.  Tests only.
+ * in long double, by other means (symmetric Jacobi, no cubic), and the bound that
+ * no estimator beats.  Tests only.  Against the same code with 113-bit numbers the
+ * fits of points with semi-axes 5..200 px differ by less than 1e-8 px on arcs of 60
+ * degrees, 1e-10 px from 180 degrees on.
  */
 #ifndef REFERENCE_REFERENCE_H
 #define REFERENCE_REFERENCE_H
@@ -62,6 +64,12 @@ bool ref_conic_ellipse(const ref_conic_t *conic, ref_ellipse_t *ellipse);
 
 /* Both in one. */
 bool ref_fit(ref_method_t method, const ref_point_t *points, size_t count, ref_ellipse_t *ellipse);
+
+/* The LCSE perturbation (Greggio et al. 2011, eqs. 11-13) of all points: Maini's map
+ * of their box to [-1, 1]^2, rho + 0.001 sin(2 pi 1000 theta) with theta rounded
+ * to 2^-32 of a turn, and back.  Where theta is near 0 the perturbation jumps, so
+ * points within 1e-6 of the +x axis of that frame are no test of anything. */
+void ref_lcse_perturb(const ref_point_t *points, size_t count, ref_point_t *perturbed);
 
 /* Taubin's approximation of the RMS distance of the points from the conic:
  * sqrt(sum F^2 / sum |grad F|^2), pixels. */

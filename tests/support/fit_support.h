@@ -86,6 +86,15 @@ static inline bool fit_is_zero(const ocel_ellipse_t *p) {
     return fit_same_bits(p, &zero);
 }
 
+/* Options for points of which nothing is promised (`closed` false). */
+static inline ocel_fit_options_t fit_options(ocel_fit_method_t method, ocel_perturb_t perturb) {
+    ocel_fit_options_t options;
+    options.method = method;
+    options.perturb = perturb;
+    options.closed = false;
+    return options;
+}
+
 /* A fit gave an ellipse: vouched for, or an estimate. */
 static inline bool fit_has_ellipse(ocel_status_t status) {
     return (status == OCEL_OK) || (status == OCEL_PARTIAL);

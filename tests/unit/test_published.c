@@ -22,7 +22,7 @@ static const ocel_fit_method_t METHODS[] = {OCEL_FIT_B2AC, OCEL_FIT_LCSE, OCEL_F
 
 static ocel_status_t fit(ocel_fit_method_t method, const ocel_point_t *points, size_t count,
                          ocel_ellipse_t *ellipse) {
-    const ocel_fit_options_t options = {method, OCEL_PERTURB_AUTO};
+    const ocel_fit_options_t options = fit_options(method, OCEL_PERTURB_AUTO);
     return ocel_fit_points(points, count, &options, ellipse);
 }
 
