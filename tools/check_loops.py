@@ -4,8 +4,7 @@
 
 Each `for` and `while` in lib/src has a comment that begins `bound:` on its line
 or on the line before; a `do` has it at its `do` or at its closing `while`.
-Also: no goto and no recursion-prone function pointers are looked for here;
-check_misra.sh and stack.py hold those.
+(That there is no goto is check_misra.sh's, no recursion stack.py's to say.)
 """
 import argparse
 import pathlib

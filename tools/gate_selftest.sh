@@ -121,6 +121,31 @@ caught "an example that prints something else" "prints something else" tools/che
 sed -i '/<!-- example:program -->/,$s/ocel_eye_begin\|ocel_eye_frame/ocel_eye_seed/' README.md
 caught "an example that does not compile" "does not compile" tools/check_readme.sh
 
+printf '%s\n' '<!-- t:begin -->' '| a | OpenCV b |' '|---|---|' '| 1000 | 1000 |' '<!-- t:end -->' >block.md
+printf '%s\n' '| a | OpenCV b |' '|---|---|' '| 1030 | 1000 |' >measured.md
+compare=(tools/readme_block.py --check --tolerance 2 --loose OpenCV block.md t measured.md)
+caught "a figure that is 3 % off" "not what was measured" "${compare[@]}"
+printf '%s\n' '| a | OpenCV b |' '|---|---|' '| 1010 | 2100 |' >measured.md
+caught "a figure of OpenCV that has doubled" "not what was measured" "${compare[@]}"
+printf '%s\n' '| a | OpenCV b |' '|---|---|' '| 1010 | 1400 |' >measured.md
+"${compare[@]}" || { echo "gate_selftest: figures within tolerance are refused" >&2 && missed=1; }
+
+cat >stage_cost <<'STAGE'
+#!/bin/sh
+echo "eye_frame;a frame;76800;1"
+STAGE
+chmod +x stage_cost
+echo 'eye_frame,1' >budgets.csv
+echo 'another,1' >>budgets.csv
+caught "a budget for no stage" "which is no stage" \
+    tools/cycles.py ./stage_cost --out . --budgets budgets.csv
+program="$root/build/host/bin/stage_cost"
+if [ -x "$program" ]; then
+    sed 's/^\([a-z].*\),[0-9]*$/\1,1/' "$root/tests/bench/budgets.csv" >budgets.csv
+    caught "a stage over its budget" "over its budget" \
+        tools/cycles.py "$program" --out . --budgets budgets.csv
+fi
+
 if [ "$missed" -ne 0 ]; then
     echo "gate_selftest: FAILED: a check let a violation through" >&2
     exit 1

@@ -61,7 +61,7 @@ contexts=(eye labeller crack_pool colour colour_table teach detection ellipse)
 {
     echo '#include <ocellus/ocellus.h>'
     for name in "${contexts[@]}"; do
-        echo "extern char size_$name[]; char size_$name[sizeof(ocel_${name}_t)];"
+        echo "extern char size_${name}[]; char size_${name}[sizeof(ocel_${name}_t)];"
     done
 } >"$work/contexts.c"
 # shellcheck disable=SC2086
