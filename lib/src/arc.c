@@ -7,12 +7,14 @@
 #include "q60.h"
 #include "scale.h"
 
-/* The map of an offset in px to a frame in which the ellipse is a circle. */
+/* The map of an offset in half Q16 px to a frame in which the ellipse is a
+ * circle of about 2^14. */
 typedef struct {
-    int64_t xx_q29;
-    int64_t xy_q29;
-    int64_t yx_q29;
-    int64_t yy_q29;
+    int32_t xx_q29;
+    int32_t xy_q29;
+    int32_t yx_q29;
+    int32_t yy_q29;
+    int32_t shift;
 } rounding_t;
 
 /* tan of 1/32, 2/32 and 3/32 of a turn, Q16. */
@@ -32,56 +34,63 @@ static const uint32_t spread_q4[30] = {
 /* sqrt(form) * G^-1 up to scale: with q = (1+v) (X + w/(1+v) Y)^2 +
  * flatness/(1+v) Y^2, the rows are ((1+v) X + w Y) and sqrt(flatness) Y, where
  * X ~ g22 dx and Y ~ g11 dy - g21 dx. */
-static rounding_t rounding_of(const ocel_conic_t *conic, const ocel_frame_t *frame) {
+static rounding_t rounding_of(const ocel_conic_t *conic, const ocel_frame_t *frame,
+                              int32_t a_px_q16) {
     const int64_t root = ocel_sqrt_q60((uint64_t)ocel_conic_flatness_q60(conic));
     const int64_t xx = ocel_mul_q60(OCEL_Q60_ONE + conic->v_q60, frame->g22_q60) -
                        ocel_mul_q60(conic->w_q60, frame->g21_q60);
     const int64_t xy = ocel_mul_q60(conic->w_q60, frame->g11_q60);
     const int64_t yx = -ocel_mul_q60(root, frame->g21_q60);
     const int64_t yy = ocel_mul_q60(root, frame->g11_q60);
-    const uint64_t most = ocel_abs64(xx) | ocel_abs64(xy) | ocel_abs64(yx) | ocel_abs64(yy) | 1U;
+    const uint64_t most = ocel_abs64(xx) | ocel_abs64(xy) | ocel_abs64(yx) | ocel_abs64(yy);
     const int32_t e = (int32_t)ocel_clz64(most) - 35; /* to 29 bits */
     rounding_t map;
 
-    map.xx_q29 = ocel_scale_q60(xx, e);
-    map.xy_q29 = ocel_scale_q60(xy, e);
-    map.yx_q29 = ocel_scale_q60(yx, e);
-    map.yy_q29 = ocel_scale_q60(yy, e);
+    map.xx_q29 = (int32_t)ocel_scale_q60(xx, e);
+    map.xy_q29 = (int32_t)ocel_scale_q60(xy, e);
+    map.yx_q29 = (int32_t)ocel_scale_q60(yx, e);
+    map.yy_q29 = (int32_t)ocel_scale_q60(yy, e);
+    map.shift = (int32_t)ocel_clz32((uint32_t)a_px_q16) - 46; /* -45..-30 */
     return map;
 }
 
-/* The sector, 0..31, of a direction; |x|, |y| < 2^31.  An eighth of a turn is
+/* The sector, 0..31, of a direction; |x|, |y| <= 2^31.  An eighth of a turn is
  * counted from the nearer axis; each fold mirrors the count. */
-static inline uint32_t sector_of(int64_t x, int64_t y) {
-    const int64_t ax = (int64_t)ocel_abs64(x);
-    const int64_t ay = (int64_t)ocel_abs64(y);
+static uint32_t sector_of(int64_t x, int64_t y) {
+    const uint32_t ax = (uint32_t)ocel_abs64(x);
+    const uint32_t ay = (uint32_t)ocel_abs64(y);
     const bool steep = ax < ay;
-    const int64_t small_q16 = (steep ? ax : ay) * 65536;
-    const int64_t large = steep ? ay : ax;
-    uint32_t sector = (uint32_t)(small_q16 >= (large * TAN_1_Q16)) +
-                      (uint32_t)(small_q16 >= (large * TAN_2_Q16)) +
-                      (uint32_t)(small_q16 >= (large * TAN_3_Q16));
+    const uint64_t small_q16 = (uint64_t)(steep ? ax : ay) << 16U;
+    const uint32_t large = steep ? ay : ax;
+    uint32_t sector = 0U;
 
+    sector += (small_q16 >= ((uint64_t)large * TAN_1_Q16)) ? 1U : 0U;
+    sector += (small_q16 >= ((uint64_t)large * TAN_2_Q16)) ? 1U : 0U;
+    sector += (small_q16 >= ((uint64_t)large * TAN_3_Q16)) ? 1U : 0U;
     sector ^= steep ? 7U : 0U;
     sector ^= (x < 0) ? 15U : 0U;
     return sector ^ ((y < 0) ? 31U : 0U);
 }
 
-/* One bit for each sector that holds a sampled point.  Offsets are below 2^32
- * in Q16, so a sum of two products is below 2^62. */
+/* a * x + b * y, shifted: |a|, |b| <= 2^29 and |x|, |y| < 2^31 (the distance of
+ * two coordinates in half Q16 px), so the sum is within 2^61. */
+static int64_t mapped(int32_t a, int32_t b, int32_t x, int32_t y, int32_t shift) {
+    return ocel_scale_q60(((int64_t)a * x) + ((int64_t)b * y), shift);
+}
+
+/* One bit for each sector that holds a sampled point. */
 static uint32_t sectors_hit(const ocel_source_t *source, const rounding_t *map,
                             const ocel_ellipse_t *ellipse, uint32_t step) {
-    const int64_t cx = ellipse->cx_px_q16;
-    const int64_t cy = ellipse->cy_px_q16;
     uint32_t hit = 0U;
     size_t i;
 
     for (i = 0U; i < source->count; i += step) { /* bound: OCEL_ARC_SAMPLES */
         const ocel_pair_t p = ocel_source_px_q16(source, i);
-        const int64_t x = (map->xx_q29 * (p.x - cx)) + (map->xy_q29 * (p.y - cy));
-        const int64_t y = (map->yx_q29 * (p.x - cx)) + (map->yy_q29 * (p.y - cy));
+        const int32_t dx = (int32_t)ocel_asr64(p.x - ellipse->cx_px_q16, 1U);
+        const int32_t dy = (int32_t)ocel_asr64(p.y - ellipse->cy_px_q16, 1U);
 
-        hit |= 1U << sector_of(ocel_asr64(x, 31U), ocel_asr64(y, 31U));
+        hit |= 1U << sector_of(mapped(map->xx_q29, map->xy_q29, dx, dy, map->shift),
+                               mapped(map->yx_q29, map->yy_q29, dx, dy, map->shift));
     }
     return hit;
 }
@@ -124,7 +133,7 @@ static uint32_t centre_sigma(uint32_t rms_px_q16, uint32_t count, uint32_t cover
 
 uint32_t ocel_arc_sectors(const ocel_source_t *source, const ocel_conic_t *conic,
                           const ocel_frame_t *frame, const ocel_ellipse_t *ellipse) {
-    const rounding_t map = rounding_of(conic, frame);
+    const rounding_t map = rounding_of(conic, frame, ellipse->a_px_q16);
     const uint32_t count = (uint32_t)source->count;
     const uint32_t step = (count + (OCEL_ARC_SAMPLES - 1U)) / OCEL_ARC_SAMPLES;
     const uint32_t samples = (count < OCEL_ARC_SAMPLES) ? count : OCEL_ARC_SAMPLES;

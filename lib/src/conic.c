@@ -43,12 +43,12 @@ typedef struct {
 /* The congruence (A, B, C) -> (u, v, w).  Sums of four entries stay within
  * 4.1 * 2^60 < 2^63. */
 static ocel_status_t reduce(const ocel_scatter_t *scatter, reduced_t *m) {
-    const int64_t aa = scatter->a_q60[OCEL_S_XX][OCEL_S_XX];
-    const int64_t ab = scatter->a_q60[OCEL_S_XY][OCEL_S_XX];
-    const int64_t ac = scatter->a_q60[OCEL_S_YY][OCEL_S_XX];
-    const int64_t bb = scatter->a_q60[OCEL_S_XY][OCEL_S_XY];
-    const int64_t bc = scatter->a_q60[OCEL_S_YY][OCEL_S_XY];
-    const int64_t cc = scatter->a_q60[OCEL_S_YY][OCEL_S_YY];
+    const int64_t aa = scatter->a_q60[ocel_scatter_at(OCEL_S_XX, OCEL_S_XX)];
+    const int64_t ab = scatter->a_q60[ocel_scatter_at(OCEL_S_XY, OCEL_S_XX)];
+    const int64_t ac = scatter->a_q60[ocel_scatter_at(OCEL_S_YY, OCEL_S_XX)];
+    const int64_t bb = scatter->a_q60[ocel_scatter_at(OCEL_S_XY, OCEL_S_XY)];
+    const int64_t bc = scatter->a_q60[ocel_scatter_at(OCEL_S_YY, OCEL_S_XY)];
+    const int64_t cc = scatter->a_q60[ocel_scatter_at(OCEL_S_YY, OCEL_S_YY)];
     const int64_t uu = ocel_shift_round64(aa + (2 * ac) + cc, 2U);
     const int64_t vv = ocel_shift_round64((aa - (2 * ac)) + cc, 2U);
     const int64_t trace = uu + vv + bb;
@@ -180,9 +180,9 @@ static int64_t projection_q58(const ocel_scatter_t *scatter, const ocel_conic_t 
                               uint32_t j) {
     const int64_t a = ocel_asr64(OCEL_Q60_ONE + conic->v_q60, 1U);
     const int64_t c = ocel_asr64(OCEL_Q60_ONE - conic->v_q60, 1U);
-    const int64_t sum = ocel_mul_q60(scatter->a_q60[OCEL_S_XX][j], a) +
-                        ocel_mul_q60(scatter->a_q60[OCEL_S_XY][j], conic->w_q60) +
-                        ocel_mul_q60(scatter->a_q60[OCEL_S_YY][j], c);
+    const int64_t sum = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_XX, j)], a) +
+                        ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_XY, j)], conic->w_q60) +
+                        ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_YY, j)], c);
 
     return ocel_shift_round64(sum, 2U);
 }
@@ -210,8 +210,9 @@ ocel_status_t ocel_conic_linear(const ocel_scatter_t *scatter, ocel_conic_t *con
     conic->e_q48 = -solved(y_part, &scatter->inverse[OCEL_S_Y], -10);
     small = ocel_abs64(conic->e_q48) < (uint64_t)LINEAR_MAX_Q48;
     if (small) {
-        const int64_t rest = ocel_shift_round64(x_part, 10U) +
-                             ocel_mul_q60(scatter->a_q60[OCEL_S_Y][OCEL_S_X], conic->e_q48);
+        const int64_t rest =
+            ocel_shift_round64(x_part, 10U) +
+            ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_X)], conic->e_q48);
 
         conic->d_q48 = -solved(rest, &scatter->inverse[OCEL_S_X], 0);
         small = ocel_abs64(conic->d_q48) < (uint64_t)LINEAR_MAX_Q48;

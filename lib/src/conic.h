@@ -20,7 +20,7 @@ typedef struct {
     int64_t d_q48; /* |D|, |E| < 2^10 */
     int64_t e_q48;
     int64_t mean_q60;     /* mean of the conic's polynomial over the points */
-    ocel_scaled_t energy; /* mean of its square, times the weight S[1][1] */
+    ocel_scaled_t energy; /* mean of its square, times the points' weight */
 } ocel_conic_t;
 
 /* Fitzgibbon's ellipse (paper, eqs. 4-8) by the closed-form reduction of the

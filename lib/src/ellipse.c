@@ -72,39 +72,23 @@ static int32_t reach_of(int64_t x_q48, int64_t y_q48) {
     return (bits > 48) ? (bits - 48) : 0;
 }
 
-/* 1 / weight, in [1, 2): the weight S[1][1] is the count over the power of two
- * that is not below it. */
-static int64_t inverse_weight_q60(const ocel_scatter_t *scatter) {
-    const ocel_scaled_t *const root = &scatter->inverse[OCEL_S_1];
-    const int64_t root_q60 = ocel_scale_q60(root->y_q60, root->e);
-
-    return ocel_mul_q60(root_q60, root_q60);
-}
-
 /* A covariance and a product of offsets to a moment about the centre, over
  * 2 * 4^reach; both parts are positive semi-definite, so nothing cancels. */
 static int64_t moment_about(int64_t covariance_q60, int64_t product_q60, int32_t reach) {
     return ocel_scale_q60(covariance_q60, -1 - (2 * reach)) + ocel_shift_round64(product_q60, 1U);
 }
 
-static void moments_about(const ocel_scatter_t *scatter, about_centre_t *about) {
-    const ocel_scaled_t *const root = &scatter->inverse[OCEL_S_1];
-    const int64_t inverse_q60 = inverse_weight_q60(scatter);
-    const int64_t mx = ocel_mul_q60(scatter->a_q60[OCEL_S_X][OCEL_S_1], root->y_q60);
-    const int64_t my = ocel_mul_q60(scatter->a_q60[OCEL_S_Y][OCEL_S_1], root->y_q60);
-    const int64_t dx_q48 = ocel_scale_q60(mx, root->e - 12) - about->cx_q48;
-    const int64_t dy_q48 = ocel_scale_q60(my, root->e - 12) - about->cy_q48;
+static void moments_about(const ocel_spread_t *spread, about_centre_t *about) {
+    const int64_t dx_q48 = ocel_shift_round64(spread->x, 12U) - about->cx_q48;
+    const int64_t dy_q48 = ocel_shift_round64(spread->y, 12U) - about->cy_q48;
     const int32_t reach = reach_of(dx_q48, dy_q48);
     const int64_t dx = ocel_scale_q60(dx_q48, 12 - reach);
     const int64_t dy = ocel_scale_q60(dy_q48, 12 - reach);
 
     about->reach = reach;
-    about->xx_q60 = moment_about(ocel_mul_q60(scatter->covariance_xx_q60, inverse_q60),
-                                 ocel_mul_q60(dx, dx), reach);
-    about->xy_q60 = moment_about(ocel_mul_q60(scatter->covariance_xy_q60, inverse_q60),
-                                 ocel_mul_q60(dx, dy), reach);
-    about->yy_q60 = moment_about(ocel_mul_q60(scatter->covariance_yy_q60, inverse_q60),
-                                 ocel_mul_q60(dy, dy), reach);
+    about->xx_q60 = moment_about(spread->xx, ocel_mul_q60(dx, dx), reach);
+    about->xy_q60 = moment_about(spread->xy, ocel_mul_q60(dx, dy), reach);
+    about->yy_q60 = moment_about(spread->yy, ocel_mul_q60(dy, dy), reach);
 }
 
 /* value * 2^e as an int32, 0 for a negative value; at 2^30 and beyond (16384 px
@@ -143,35 +127,47 @@ static ocel_scaled_t times_area(const ocel_frame_t *frame, int64_t value_q60,
     return result;
 }
 
+/* M S M' for M = [a b; c d] and S symmetric; every |M| below 2, every |S| and
+ * every product's sum below 2. */
+static form_t congruence(const int64_t m[4], const form_t *s) {
+    const int64_t pxx = ocel_mul_q60(m[0], s->xx_q60) + ocel_mul_q60(m[1], s->xy_q60);
+    const int64_t pxy = ocel_mul_q60(m[0], s->xy_q60) + ocel_mul_q60(m[1], s->yy_q60);
+    const int64_t pyx = ocel_mul_q60(m[2], s->xx_q60) + ocel_mul_q60(m[3], s->xy_q60);
+    const int64_t pyy = ocel_mul_q60(m[2], s->xy_q60) + ocel_mul_q60(m[3], s->yy_q60);
+    form_t out;
+
+    out.xx_q60 = ocel_mul_q60(pxx, m[0]) + ocel_mul_q60(pxy, m[1]);
+    out.xy_q60 = ocel_mul_q60(pxx, m[2]) + ocel_mul_q60(pxy, m[3]);
+    out.yy_q60 = ocel_mul_q60(pyx, m[2]) + ocel_mul_q60(pyy, m[3]);
+    return out;
+}
+
 /* Semi-axes and angle.  The shape matrix (inverse of the form over 2k) in the
- * image is E = 2k/flatness G [1-v -w; -w 1+v] G', every entry of the product
- * below 2; a^2 is its larger eigenvalue, b^2 = det E / a^2, whose determinant
- * is known without cancellation. */
+ * image is E = 2k/flatness G [1-v -w; -w 1+v] G'; G <= 1/2 keeps the products
+ * within 3/2.  a^2 is its larger eigenvalue, b^2 = det E / a^2, whose
+ * determinant is known without cancellation. */
 static void map_axes(const form_t *form, int64_t half_k_q60, const ocel_scaled_t *root_inverse,
                      const ocel_frame_t *frame, int32_t reach, ocel_ellipse_t *ellipse) {
-    const int64_t g21_yy = ocel_mul_q60(frame->g21_q60, form->yy_q60);
-    const int64_t g22_xy = ocel_mul_q60(frame->g22_q60, form->xy_q60);
-    const int64_t exx = ocel_mul_q60(ocel_mul_q60(frame->g11_q60, frame->g11_q60), form->yy_q60);
-    const int64_t exy = ocel_mul_q60(frame->g11_q60, g21_yy - g22_xy);
-    const int64_t eyy = ocel_mul_q60(frame->g21_q60, g21_yy - (2 * g22_xy)) +
-                        ocel_mul_q60(ocel_mul_q60(frame->g22_q60, frame->g22_q60), form->xx_q60);
+    const int64_t g[4] = {frame->g11_q60, 0, frame->g21_q60, frame->g22_q60};
+    const form_t adjoint = {form->yy_q60, -form->xy_q60, form->xx_q60};
+    const form_t e = congruence(g, &adjoint);
     const int64_t root_k = ocel_sqrt_q60((uint64_t)half_k_q60);
-    const int32_t e = frame->scale_log2 + reach - 60;
+    const int32_t scale = frame->scale_log2 + reach - 60;
     int64_t eigenvalue;
     int64_t difference;
     uint32_t turn_q32;
     ocel_scaled_t inverse; /* of the eigenvalue's root */
     ocel_scaled_t b;
 
-    ocel_polar(ocel_asr64(exx - eyy, 1U), exy, &difference, &turn_q32);
-    eigenvalue = ocel_asr64(exx + eyy, 1U) + difference;
+    ocel_polar(ocel_asr64(e.xx_q60 - e.yy_q60, 1U), e.xy_q60, &difference, &turn_q32);
+    eigenvalue = ocel_asr64(e.xx_q60 + e.yy_q60, 1U) + difference;
     ellipse->angle_turn_q32 = turn_q32 >> 1U;
     ocel_rsqrt_q60((uint64_t)eigenvalue, &inverse.y_q60, &inverse.e);
     ellipse->a_px_q16 = to_int32(ocel_mul_q60(ocel_mul_q60(root_k, root_inverse->y_q60),
                                               ocel_mul_q60(eigenvalue, inverse.y_q60)),
-                                 e + root_inverse->e + inverse.e);
+                                 scale + root_inverse->e + inverse.e);
     b = times_area(frame, root_k, &inverse);
-    ellipse->b_px_q16 = to_int32(b.y_q60, e + b.e);
+    ellipse->b_px_q16 = to_int32(b.y_q60, scale + b.e);
     if (ellipse->b_px_q16 > ellipse->a_px_q16) { /* a circle, rounded */
         ellipse->b_px_q16 = ellipse->a_px_q16;
     }
@@ -201,36 +197,28 @@ static bool map_centre(const about_centre_t *about, const ocel_frame_t *frame,
 }
 
 /* The mean squared gradient of the conic's polynomial over the points, in the
- * image, times (det G)^2 / (16 * 4^reach): tr(adj(G) adj(G)' W) with
- * W = form V form.  |V/4| <= 1/2, |form| < 2: |form V/4| <= 1.5, |W/16| <= 1.13. */
+ * image, times (det G)^2 / (16 * 4^reach): tr(adj(G)' W adj(G)) with
+ * W = form V form.  V/16 has a trace of at most 1/4 and form a norm below 2, so
+ * form V/16 form is within 1. */
 static int64_t mean_gradient_q60(const form_t *form, const about_centre_t *about,
                                  const ocel_frame_t *frame) {
-    const int64_t vxx = ocel_asr64(about->xx_q60, 1U);
-    const int64_t vxy = ocel_asr64(about->xy_q60, 1U);
-    const int64_t vyy = ocel_asr64(about->yy_q60, 1U);
-    const int64_t pxx = ocel_mul_q60(form->xx_q60, vxx) + ocel_mul_q60(form->xy_q60, vxy);
-    const int64_t pxy = ocel_mul_q60(form->xx_q60, vxy) + ocel_mul_q60(form->xy_q60, vyy);
-    const int64_t pyx = ocel_mul_q60(form->xy_q60, vxx) + ocel_mul_q60(form->yy_q60, vxy);
-    const int64_t pyy = ocel_mul_q60(form->xy_q60, vxy) + ocel_mul_q60(form->yy_q60, vyy);
-    const int64_t wxx = ocel_mul_q60(pxx, form->xx_q60) + ocel_mul_q60(pxy, form->xy_q60);
-    const int64_t wxy = ocel_mul_q60(pxx, form->xy_q60) + ocel_mul_q60(pxy, form->yy_q60);
-    const int64_t wyy = ocel_mul_q60(pyx, form->xy_q60) + ocel_mul_q60(pyy, form->yy_q60);
-    const int64_t g11 = frame->g11_q60;
-    const int64_t g21 = frame->g21_q60;
-    const int64_t g22 = frame->g22_q60;
+    const int64_t f[4] = {form->xx_q60, form->xy_q60, form->xy_q60, form->yy_q60};
+    const int64_t adjoint[4] = {frame->g22_q60, -frame->g21_q60, 0, frame->g11_q60};
+    const form_t spread = {ocel_asr64(about->xx_q60, 3U), ocel_asr64(about->xy_q60, 3U),
+                           ocel_asr64(about->yy_q60, 3U)};
+    const form_t w = congruence(f, &spread);
+    const form_t gradient = congruence(adjoint, &w);
 
-    return ocel_mul_q60(ocel_mul_q60(g22, g22), ocel_asr64(wxx, 2U)) -
-           (2 * ocel_mul_q60(ocel_mul_q60(g22, g21), ocel_asr64(wxy, 2U))) +
-           ocel_mul_q60(ocel_mul_q60(g21, g21) + ocel_mul_q60(g11, g11), ocel_asr64(wyy, 2U));
+    return gradient.xx_q60 + gradient.yy_q60;
 }
 
 /* Taubin's approximation of the mean squared distance: the mean square of the
  * polynomial over its mean squared gradient (Taubin 1991, PAMI 13, eq. 3.9). */
-static int32_t rms_px_q16(const ocel_conic_t *conic, const ocel_scatter_t *scatter,
+static int32_t rms_px_q16(const ocel_conic_t *conic, const ocel_spread_t *spread,
                           const form_t *form, const about_centre_t *about,
                           const ocel_frame_t *frame) {
     const int64_t gradient_q60 = mean_gradient_q60(form, about, frame);
-    const int64_t square_q60 = ocel_mul_q60(conic->energy.y_q60, inverse_weight_q60(scatter));
+    const int64_t square_q60 = ocel_mul_q60(conic->energy.y_q60, spread->inverse_weight);
     int32_t rms = 0;
 
     if ((square_q60 > 0) && (gradient_q60 > 0)) {
@@ -262,7 +250,7 @@ static int64_t half_level_q60(const ocel_conic_t *conic, const form_t *form,
     return ocel_asr64(k - mean, 1U);
 }
 
-ocel_status_t ocel_ellipse_of_conic(const ocel_conic_t *conic, const ocel_scatter_t *scatter,
+ocel_status_t ocel_ellipse_of_conic(const ocel_conic_t *conic, const ocel_spread_t *spread,
                                     const ocel_frame_t *frame, ocel_ellipse_t *ellipse) {
     const form_t form = form_of_conic(conic);
     ocel_status_t status = OCEL_NOT_AN_ELLIPSE;
@@ -273,11 +261,11 @@ ocel_status_t ocel_ellipse_of_conic(const ocel_conic_t *conic, const ocel_scatte
     if (find_centre(conic, &form, &root_inverse, &about)) {
         int64_t half_k;
 
-        moments_about(scatter, &about);
+        moments_about(spread, &about);
         half_k = half_level_q60(conic, &form, &about);
         if (half_k >= NOTHING_Q60) {
             map_axes(&form, half_k, &root_inverse, frame, about.reach, ellipse);
-            ellipse->rms_px_q16 = (uint32_t)rms_px_q16(conic, scatter, &form, &about, frame);
+            ellipse->rms_px_q16 = (uint32_t)rms_px_q16(conic, spread, &form, &about, frame);
             status = (map_centre(&about, frame, ellipse) && (ellipse->a_px_q16 < INT32_MAX) &&
                       (ellipse->b_px_q16 > 0))
                          ? OCEL_OK

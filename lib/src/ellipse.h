@@ -14,11 +14,10 @@
 #include "moments.h"
 #include "scatter.h"
 
-/* Writes centre, semi-axes, angle and RMS residual of `ellipse`; `scatter` has
- * its first three columns eliminated.
+/* Writes centre, semi-axes, angle and RMS residual of `ellipse`.
  * OCEL_OK, OCEL_NOT_AN_ELLIPSE (imaginary, or its centre over 2^8 frame units
  * away), OCEL_OUT_OF_RANGE (int32 Q16 pixels cannot hold it). */
-ocel_status_t ocel_ellipse_of_conic(const ocel_conic_t *conic, const ocel_scatter_t *scatter,
+ocel_status_t ocel_ellipse_of_conic(const ocel_conic_t *conic, const ocel_spread_t *spread,
                                     const ocel_frame_t *frame, ocel_ellipse_t *ellipse);
 
 #endif

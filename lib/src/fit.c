@@ -4,14 +4,9 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "arc.h"
-#include "conic.h"
-#include "ellipse.h"
+#include "fit_finish.h"
 #include "hyper.h"
-#include "int_math.h"
 #include "moments.h"
-#include "q60.h"
-#include "scatter.h"
 
 /* The paper perturbs "only in the case of not stable numerical solution".  Here
  * that is: the eigenvalue is below 2^-34 of the reduced matrix's trace, so the
@@ -20,15 +15,6 @@
  * sign, by which the textbook selects, becomes an accident.  Boundaries of
  * pixels are above: their residual, .23 px, is 2^-13 of the widest image. */
 #define UNSTABLE_Q60 ((int64_t)1 << 26)
-
-/* An arc under 11/32 of a turn (124 degrees) is vouched for only when the
- * centre is expected within 1/20 of the semi-minor axis. */
-#define SHORT_ARC_Q16 (11U * 2048U)
-#define VOUCHED_FRACTION 20U
-
-/* Cracks are summed exactly without a shear when the points are not a tilted
- * sliver: the variance of y given x is at least 2^-4 of that of y. */
-#define SLIVER_BITS 4U
 
 static ocel_status_t check(bool present, size_t count, const ocel_fit_options_t *options,
                            const ocel_ellipse_t *ellipse) {
@@ -48,105 +34,81 @@ static ocel_status_t check(bool present, size_t count, const ocel_fit_options_t 
     return status;
 }
 
-/* The fast path: cracks that are no tilted sliver. */
-static bool scatter_of_cracks(const ocel_source_t *source, ocel_moments_t *moments,
-                              ocel_scatter_t *scatter) {
-    bool served = ocel_moments_of_cracks(source->cracks, source->count, moments);
-
-    if (served) {
-        served = ocel_scatter_reduce(moments, scatter);
-    }
-    if (served) {
-        const int64_t root = scatter->a_q60[OCEL_S_Y][OCEL_S_Y];
-
-        served = ocel_mul_q60(root, root) >= ocel_asr64(scatter->covariance_yy_q60, SLIVER_BITS);
-    }
-    return served;
-}
-
-/* Moments and reduced scatter matrix of the points as they are. */
-static ocel_status_t scatter_of(const ocel_source_t *source, ocel_moments_t *moments,
-                                ocel_scatter_t *scatter) {
+/* Moments of the points as they are: by exact sums where those fit. */
+static ocel_status_t moments_of(const ocel_source_t *source, ocel_moments_t *moments) {
     ocel_status_t status = OCEL_OK;
-    bool served = false;
+    bool exact = false;
 
     if (source->points == NULL) {
-        served = scatter_of_cracks(source, moments, scatter);
+        exact = ocel_moments_of_cracks(source->cracks, source->count, moments);
     }
-    if (!served) {
+    if (!exact) {
         status = ocel_moments_of_source(source, false, moments);
-        if ((status == OCEL_OK) && (!ocel_scatter_reduce(moments, scatter))) {
-            status = OCEL_DEGENERATE;
-        }
+    }
+    return status;
+}
+
+/* B2AC, and when `auto_perturb` whether its solution is unstable. */
+static ocel_status_t direct(const ocel_source_t *source, bool auto_perturb,
+                            ocel_solution_t *solution, bool *unstable) {
+    ocel_moments_t moments;
+    int64_t eigenvalue = 0;
+    ocel_status_t status = moments_of(source, &moments);
+
+    if (status == OCEL_OK) {
+        status = ocel_fit_direct(&moments, solution, &eigenvalue);
+        *unstable = auto_perturb && (eigenvalue < UNSTABLE_Q60);
     }
     return status;
 }
 
 /* The LCSE step: the same fit on points perturbed in Maini's frame. */
-static ocel_status_t perturbed_conic(const ocel_source_t *source, ocel_moments_t *moments,
-                                     ocel_scatter_t *scatter, ocel_conic_t *conic) {
+static ocel_status_t perturbed(const ocel_source_t *source, ocel_solution_t *solution) {
+    ocel_moments_t moments;
     int64_t eigenvalue;
-    ocel_status_t status = ocel_moments_of_source(source, true, moments);
+    ocel_status_t status = ocel_moments_of_source(source, true, &moments);
 
     if (status == OCEL_OK) {
-        status = ocel_scatter_reduce(moments, scatter)
-                     ? ocel_conic_b2ac(scatter, conic, &eigenvalue)
-                     : OCEL_DEGENERATE;
+        status = ocel_fit_direct(&moments, solution, &eigenvalue);
     }
     return status;
 }
 
-static ocel_status_t direct_conic(const ocel_source_t *source, const ocel_fit_options_t *options,
-                                  ocel_moments_t *moments, ocel_scatter_t *scatter,
-                                  ocel_conic_t *conic, bool *perturbed) {
-    const bool always =
-        (options->method == OCEL_FIT_LCSE) && (options->perturb == OCEL_PERTURB_ALWAYS);
-    const bool when_unstable =
-        (options->method == OCEL_FIT_LCSE) && (options->perturb == OCEL_PERTURB_AUTO);
-    int64_t eigenvalue = 0;
-    ocel_status_t status = OCEL_OK;
+static ocel_status_t hyper(const ocel_source_t *source, ocel_solution_t *solution) {
+    ocel_moments_t moments;
+    ocel_status_t status = moments_of(source, &moments);
 
-    *perturbed = always;
-    if (!always) {
-        status = scatter_of(source, moments, scatter);
-        if (status == OCEL_OK) {
-            status = (options->method == OCEL_FIT_HYPER)
-                         ? ocel_conic_hyper(moments, scatter, conic)
-                         : ocel_conic_b2ac(scatter, conic, &eigenvalue);
-            *perturbed = when_unstable && (eigenvalue < UNSTABLE_Q60);
-        }
-    }
-    if (*perturbed) {
-        status = perturbed_conic(source, moments, scatter, conic);
+    if (status == OCEL_OK) {
+        solution->frame = moments.frame;
+        status = ocel_conic_hyper(&moments, &solution->spread, &solution->conic);
     }
     return status;
-}
-
-static bool vouched(const ocel_ellipse_t *ellipse) {
-    return (ellipse->arc_coverage_q16 >= SHORT_ARC_Q16) ||
-           (ellipse->centre_sigma_px_q16 <= ((uint32_t)ellipse->b_px_q16 / VOUCHED_FRACTION));
 }
 
 static ocel_status_t fit(const ocel_source_t *source, const ocel_fit_options_t *options,
                          ocel_ellipse_t *ellipse) {
-    ocel_moments_t moments;
-    ocel_scatter_t scatter;
-    ocel_conic_t conic;
-    ocel_status_t status =
-        direct_conic(source, options, &moments, &scatter, &conic, &ellipse->perturbed);
+    const bool lcse = options->method == OCEL_FIT_LCSE;
+    bool perturb = lcse && (options->perturb == OCEL_PERTURB_ALWAYS);
+    ocel_status_t status = OCEL_OK;
+    ocel_solution_t solution;
 
-    if (status == OCEL_OK) {
-        status = ocel_ellipse_of_conic(&conic, &scatter, &moments.frame, ellipse);
+    if (options->method == OCEL_FIT_HYPER) {
+        status = hyper(source, &solution);
+    } else if (!perturb) {
+        status =
+            direct(source, lcse && (options->perturb == OCEL_PERTURB_AUTO), &solution, &perturb);
+    } else {
+        /* always */
+    }
+    if (perturb) {
+        status = perturbed(source, &solution);
     }
     if (status == OCEL_OK) {
+        status = ocel_fit_finish(&solution, source, options->closed, ellipse);
+    }
+    if ((status == OCEL_OK) || (status == OCEL_PARTIAL)) {
         ellipse->method = options->method;
-        ellipse->point_count = (uint32_t)source->count;
-        ocel_arc_judge(options->closed ? OCEL_ARC_SECTORS
-                                       : ocel_arc_sectors(source, &conic, &moments.frame, ellipse),
-                       ellipse);
-        status = vouched(ellipse) ? OCEL_OK : OCEL_PARTIAL;
-    } else {
-        (void)memset(ellipse, 0, sizeof(*ellipse));
+        ellipse->perturbed = perturb;
     }
     return status;
 }

@@ -39,8 +39,8 @@ typedef struct {
 } vector_t;
 
 typedef struct {
-    int64_t a[SIZE][SIZE]; /* symmetric, both triangles filled */
-    int64_t p;             /* the noise's covariance in the frame, up to scale */
+    const int64_t *m_q60; /* the points' moments */
+    int64_t p;            /* the noise's covariance in the frame, up to scale */
     int64_t q;
     int64_t r;
 } metric_t;
@@ -61,49 +61,6 @@ static void noise_metric(const ocel_frame_t *frame, metric_t *n) {
     n->p = ocel_scale_q60(p, e);
     n->q = ocel_scale_q60(q, e);
     n->r = ocel_scale_q60(r, e);
-}
-
-/* N_T = mean of J S J', J the gradients of the monomials and S = [p q; q r].
- * Every entry is at most 4 * 1.01 / 8. */
-static void taubin_matrix(const int64_t *m, metric_t *n) {
-    const int64_t px = ocel_mul_q60(n->p, m[OCEL_M_X]);
-    const int64_t qx = ocel_mul_q60(n->q, m[OCEL_M_X]);
-    const int64_t rx = ocel_mul_q60(n->r, m[OCEL_M_X]);
-    const int64_t py = ocel_mul_q60(n->p, m[OCEL_M_Y]);
-    const int64_t qy = ocel_mul_q60(n->q, m[OCEL_M_Y]);
-    const int64_t ry = ocel_mul_q60(n->r, m[OCEL_M_Y]);
-    const int64_t pxx = ocel_mul_q60(n->p, m[OCEL_M_XX]);
-    const int64_t qxx = ocel_mul_q60(n->q, m[OCEL_M_XX]);
-    const int64_t rxx = ocel_mul_q60(n->r, m[OCEL_M_XX]);
-    const int64_t pxy = ocel_mul_q60(n->p, m[OCEL_M_XY]);
-    const int64_t qxy = ocel_mul_q60(n->q, m[OCEL_M_XY]);
-    const int64_t rxy = ocel_mul_q60(n->r, m[OCEL_M_XY]);
-    const int64_t pyy = ocel_mul_q60(n->p, m[OCEL_M_YY]);
-    const int64_t qyy = ocel_mul_q60(n->q, m[OCEL_M_YY]);
-    const int64_t ryy = ocel_mul_q60(n->r, m[OCEL_M_YY]);
-    uint32_t i;
-    uint32_t j;
-
-    n->a[AT_X][AT_X] = ocel_mul_q60(n->p, m[OCEL_M_1]);
-    n->a[AT_Y][AT_X] = ocel_mul_q60(n->q, m[OCEL_M_1]);
-    n->a[AT_Y][AT_Y] = ocel_mul_q60(n->r, m[OCEL_M_1]);
-    n->a[AT_XX][AT_X] = 2 * px;
-    n->a[AT_XX][AT_Y] = 2 * qx;
-    n->a[AT_XY][AT_X] = py + qx;
-    n->a[AT_XY][AT_Y] = qy + rx;
-    n->a[AT_YY][AT_X] = 2 * qy;
-    n->a[AT_YY][AT_Y] = 2 * ry;
-    n->a[AT_XX][AT_XX] = 4 * pxx;
-    n->a[AT_XY][AT_XX] = 2 * (pxy + qxx);
-    n->a[AT_XY][AT_XY] = pyy + (2 * qxy) + rxx;
-    n->a[AT_YY][AT_XX] = 4 * qxy;
-    n->a[AT_YY][AT_XY] = 2 * (qyy + rxy);
-    n->a[AT_YY][AT_YY] = 4 * ryy;
-    for (i = 0U; i < SIZE; i++) {         /* bound: SIZE */
-        for (j = i + 1U; j < SIZE; j++) { /* bound: SIZE */
-            n->a[i][j] = n->a[j][i];
-        }
-    }
 }
 
 /* Scales all of v by 2^e. */
@@ -149,7 +106,7 @@ static void solve(const ocel_scatter_t *scatter, vector_t *v) {
         int64_t rest = v->t[i];
 
         for (k = 0U; k < i; k++) { /* bound: SIZE */
-            rest -= ocel_mul_q60(scatter->a_q60[i + 1U][k + 1U], v->t[k]);
+            rest -= ocel_mul_q60(scatter->a_q60[ocel_scatter_at(i + 1U, k + 1U)], v->t[k]);
         }
         divide_element(v, i, rest, &scatter->inverse[i + 1U]);
     }
@@ -157,27 +114,44 @@ static void solve(const ocel_scatter_t *scatter, vector_t *v) {
         int64_t rest = v->t[i - 1U];
 
         for (k = i; k < SIZE; k++) { /* bound: SIZE */
-            rest -= ocel_mul_q60(scatter->a_q60[k + 1U][i], v->t[k]);
+            rest -= ocel_mul_q60(scatter->a_q60[ocel_scatter_at(k + 1U, i)], v->t[k]);
         }
         divide_element(v, i - 1U, rest, &scatter->inverse[i]);
     }
     normalise_vector(v);
 }
 
-static vector_t times_metric(const metric_t *n, const vector_t *v) {
-    vector_t out;
+/* v <- N_T v, N_T = mean of J S J' with J the gradients of the monomials and
+ * S = [p q; q r].  The gradient's two components are linear in (1, x, y):
+ *   d/dx = (D, 2A, B),  d/dy = (E, B, 2C),
+ * so N_T v mixes them by S, applies the second moments, and goes back.  With
+ * |v| <= 1/4 and S <= 1/8 the mixtures are below 1/8, the result below 3/2. */
+static void apply_metric(const metric_t *n, vector_t *v) {
+    /* The second moments of 1, x, y. */
+    static const uint8_t place[3][3] = {{OCEL_M_1, OCEL_M_X, OCEL_M_Y},
+                                        {OCEL_M_X, OCEL_M_XX, OCEL_M_XY},
+                                        {OCEL_M_Y, OCEL_M_XY, OCEL_M_YY}};
+    const int64_t dx[3] = {v->t[AT_X], 2 * v->t[AT_XX], v->t[AT_XY]};
+    const int64_t dy[3] = {v->t[AT_Y], v->t[AT_XY], 2 * v->t[AT_YY]};
+    int64_t gx[3] = {0, 0, 0};
+    int64_t gy[3] = {0, 0, 0};
     uint32_t i;
     uint32_t k;
 
-    for (i = 0U; i < SIZE; i++) { /* bound: SIZE */
-        int64_t sum = 0;
+    for (k = 0U; k < 3U; k++) { /* bound: 3 */
+        const int64_t mx = ocel_mul_q60(n->p, dx[k]) + ocel_mul_q60(n->q, dy[k]);
+        const int64_t my = ocel_mul_q60(n->q, dx[k]) + ocel_mul_q60(n->r, dy[k]);
 
-        for (k = 0U; k < SIZE; k++) { /* bound: SIZE */
-            sum += ocel_mul_q60(n->a[i][k], v->t[k]);
+        for (i = 0U; i < 3U; i++) { /* bound: 3 */
+            gx[i] += ocel_mul_q60(n->m_q60[place[i][k]], mx);
+            gy[i] += ocel_mul_q60(n->m_q60[place[i][k]], my);
         }
-        out.t[i] = sum;
     }
-    return out;
+    v->t[AT_X] = gx[0];
+    v->t[AT_Y] = gy[0];
+    v->t[AT_XX] = 2 * gx[1];
+    v->t[AT_XY] = gx[2] + gy[1];
+    v->t[AT_YY] = 2 * gy[2];
 }
 
 /* t' cov t = |L' t|^2. */
@@ -190,7 +164,7 @@ static int64_t residual_q60(const ocel_scatter_t *scatter, const vector_t *v) {
         int64_t component = 0;
 
         for (i = k; i < SIZE; i++) { /* bound: SIZE */
-            component += ocel_mul_q60(scatter->a_q60[i + 1U][k + 1U], v->t[i]);
+            component += ocel_mul_q60(scatter->a_q60[ocel_scatter_at(i + 1U, k + 1U)], v->t[i]);
         }
         sum += ocel_mul_q60(component, component);
     }
@@ -199,7 +173,7 @@ static int64_t residual_q60(const ocel_scatter_t *scatter, const vector_t *v) {
 
 /* The factor of the whole matrix, its last pivot kept above zero. */
 static bool finish_factor(ocel_scatter_t *scatter) {
-    int64_t *const last = &scatter->a_q60[OCEL_S_YY][OCEL_S_YY];
+    int64_t *const last = &scatter->a_q60[ocel_scatter_at(OCEL_S_YY, OCEL_S_YY)];
     bool unique = ocel_scatter_eliminate(scatter, (uint32_t)OCEL_S_XX, LEAST_Q60);
 
     if (unique) {
@@ -240,11 +214,12 @@ static ocel_status_t conic_of(const vector_t *v, ocel_conic_t *conic, ocel_scale
 /* lambda = (t' cov t) / (t' N t), the noise's variance in the metric's unit; a
  * value of 1 or more, noise as large as the figure, is refused. */
 static bool variance_q60(int64_t residual, const metric_t *n, const vector_t *v, int64_t *lambda) {
-    const vector_t nv = times_metric(n, v);
+    vector_t nv = *v;
     int64_t gradient = 0;
     bool usable;
     uint32_t i;
 
+    apply_metric(n, &nv);
     for (i = 0U; i < SIZE; i++) { /* bound: SIZE */
         gradient += ocel_mul_q60(nv.t[i], v->t[i]);
     }
@@ -281,22 +256,23 @@ static ocel_status_t finish_conic(const ocel_scatter_t *scatter, const metric_t 
     return status;
 }
 
-ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, ocel_scatter_t *scatter,
+ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, ocel_spread_t *spread,
                                ocel_conic_t *conic) {
-    vector_t v = {{0, 0, (int64_t)1 << 57, 0, (int64_t)1 << 57}};
+    ocel_scatter_t scatter;
     ocel_status_t status = OCEL_DEGENERATE;
 
-    if (finish_factor(scatter)) {
+    if (ocel_scatter_reduce(moments, &scatter, spread) && finish_factor(&scatter)) {
+        vector_t v = {{0, 0, (int64_t)1 << 57, 0, (int64_t)1 << 57}};
         metric_t n;
         uint32_t i;
 
         noise_metric(&moments->frame, &n);
-        taubin_matrix(moments->m_q60, &n);
+        n.m_q60 = moments->m_q60;
         for (i = 0U; i < POWER_STEPS; i++) { /* bound: POWER_STEPS */
-            v = times_metric(&n, &v);
-            solve(scatter, &v);
+            apply_metric(&n, &v);
+            solve(&scatter, &v);
         }
-        status = finish_conic(scatter, &n, &v, conic);
+        status = finish_conic(&scatter, &n, &v, conic);
     }
     return status;
 }

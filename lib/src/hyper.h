@@ -17,9 +17,9 @@
  * the square of the noise's variance, into Taubin's 5x5
  *   cov(xi) t = lambda N_T t,  then  mean of F = lambda (p A + q B + r C),
  * p, q, r the noise's covariance in the frame (DESIGN.md derives it).
- * Eliminates the remaining columns of `scatter`.
+ * Writes the spread of the points too.
  * OCEL_OK, OCEL_DEGENERATE, OCEL_NOT_AN_ELLIPSE. */
-ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, ocel_scatter_t *scatter,
+ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, ocel_spread_t *spread,
                                ocel_conic_t *conic);
 
 #endif

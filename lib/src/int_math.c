@@ -85,3 +85,7 @@ uint32_t ocel_isqrt64(uint64_t v) {
     }
     return (uint32_t)root;
 }
+
+uint32_t ocel_ceil_log2(uint64_t n) {
+    return (n <= 1U) ? 0U : (64U - ocel_clz64(n - 1U));
+}

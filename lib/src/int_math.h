@@ -64,9 +64,9 @@ static inline uint64_t ocel_abs64(int64_t v) {
     return ((uint64_t)v ^ sign) - sign;
 }
 
-/* Where the compiler has a 128-bit integer (64-bit processors), the two exact
- * products of the solve use it: ocel_mul_q60 and ocel_i128_mac.  Their portable
- * twins give the same bits, and the tests hold each pair together. */
+/* Where the compiler has a 128-bit integer (64-bit processors), the exact
+ * product of the solve, ocel_mul_q60, uses it.  Its portable twin gives the same
+ * bits, and a test holds the two together. */
 #if defined(__SIZEOF_INT128__)
 __extension__ typedef __int128 ocel_int128_t;
 #endif
@@ -150,5 +150,8 @@ uint64_t ocel_udiv64(uint64_t num, uint64_t den);
 
 /* floor(sqrt(v)) in 32 trips.  Any v; the result is below 2^32. */
 uint32_t ocel_isqrt64(uint64_t v);
+
+/* The least e with 2^e >= n; n >= 1, 0 gives 0. */
+uint32_t ocel_ceil_log2(uint64_t n);
 
 #endif

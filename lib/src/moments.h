@@ -76,12 +76,13 @@ static inline ocel_pair_t ocel_source_px_q16(const ocel_source_t *source, size_t
     return p;
 }
 
-/* Moments of cracks by exact 64-bit sums about a point amid them, in one pass;
- * the frame's sides are powers of two.  Maini's box would cost a second pass
- * and, the fits being affine invariant, change nothing.
- * False, and nothing usable, when the sums could exceed 62 bits: 4 log2 of the
- * extent from that point plus log2 of the count, so never for points within
- * 2^11 px of it up to 2^14 of them. */
+/* Moments of cracks by exact 64-bit sums about a point amid them, in one pass,
+ * each axis scaled by a power of two to a mean fourth power of at most 1.
+ * Maini's box would cost a second pass and, the fits being affine invariant,
+ * change nothing.
+ * False, and nothing usable, when the sums might not fit: the squared offsets
+ * from the point midway between the first and the middle crack sum to 2^31
+ * half pixels squared or more (discs of R > 512 px). */
 bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_moments_t *moments);
 
 /* Moments of any points by 128-bit sums, sheared so that x and y do not

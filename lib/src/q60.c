@@ -48,6 +48,17 @@ void ocel_recip_q60(uint64_t p, int64_t *y_q60, int32_t *e) {
     }
 }
 
+int64_t ocel_mul_q60_by_parts(int64_t a, int64_t b) {
+    const int32_t ah = (int32_t)ocel_asr64(a, 30U);
+    const int32_t bh = (int32_t)ocel_asr64(b, 30U);
+    const int32_t al = (int32_t)(a & 0x3FFFFFFF);
+    const int32_t bl = (int32_t)(b & 0x3FFFFFFF);
+    const int64_t low = ocel_asr64((int64_t)al * bl, 30U);
+    const int64_t middle = ((int64_t)ah * bl) + ((int64_t)al * bh) + low;
+
+    return ((int64_t)ah * bh) + ocel_asr64(middle, 30U);
+}
+
 /* One 32-bit Newton step of the reciprocal root.  m_q30 in [2^30, 2^32) is
  * [1, 4), y_q31 within 3 % of 1/sqrt(m) and at most 2^31.  y^2 <= 2^31 in Q31;
  * m y^2 is within 6 % of 2^61; 3 - m y^2 in Q30 below 2.06 * 2^30; y d below

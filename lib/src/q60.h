@@ -20,16 +20,7 @@
  *   a b = ah bh 2^60 + (ah bl + al bh) 2^30 + al bl,
  * and floor((x 2^30 + al bl) / 2^60) = floor((x + floor(al bl / 2^30)) / 2^30).
  * Nothing overflows: |ah bl + al bh| < 2 * 2^61 = 2^62, |ah bh| <= 2^62. */
-static inline int64_t ocel_mul_q60_by_parts(int64_t a, int64_t b) {
-    const int32_t ah = (int32_t)ocel_asr64(a, 30U);
-    const int32_t bh = (int32_t)ocel_asr64(b, 30U);
-    const int32_t al = (int32_t)(a & 0x3FFFFFFF);
-    const int32_t bl = (int32_t)(b & 0x3FFFFFFF);
-    const int64_t low = ocel_asr64((int64_t)al * bl, 30U);
-    const int64_t middle = ((int64_t)ah * bl) + ((int64_t)al * bh) + low;
-
-    return ((int64_t)ah * bh) + ocel_asr64(middle, 30U);
-}
+int64_t ocel_mul_q60_by_parts(int64_t a, int64_t b);
 
 #if defined(__SIZEOF_INT128__)
 static inline int64_t ocel_mul_q60(int64_t a, int64_t b) {

@@ -8,8 +8,6 @@
 
 #include <stdint.h>
 
-#include "int_math.h"
-
 /* A number y * 2^e, y in Q60. */
 typedef struct {
     int64_t y_q60;
@@ -18,9 +16,6 @@ typedef struct {
 
 /* value * 2^e, -62 <= e <= 62, rounded to nearest when e < 0.  The caller
  * bounds |value| * 2^e below 2^63. */
-static inline int64_t ocel_scale_q60(int64_t value, int32_t e) {
-    return (e >= 0) ? (int64_t)((uint64_t)value << (uint32_t)e)
-                    : ocel_shift_round64(value, (uint32_t)(-e));
-}
+int64_t ocel_scale_q60(int64_t value, int32_t e);
 
 #endif

@@ -16,25 +16,39 @@
  * eliminations leave the 3x3 problem of the quadratic ones. */
 enum { OCEL_S_1 = 0, OCEL_S_X, OCEL_S_Y, OCEL_S_XX, OCEL_S_XY, OCEL_S_YY, OCEL_S_COUNT };
 
-/* The lower triangle of S.  An eliminated column k holds the Cholesky factor
- * L from its diagonal down, and inverse[k] = 1 / L[k][k]; the rest holds the Schur
- * complement.  Every entry stays within 1.02: S is positive semi-definite with
- * diagonal entries of at most 1.01, and so is each of its complements, so by
- * Cauchy-Schwarz no entry and no factor can outgrow its diagonal. */
+/* The lower triangle of S, row by row.  An eliminated column k holds the
+ * Cholesky factor L from its diagonal down, and inverse[k] = 1 / L[k][k]; the
+ * rest holds the Schur complement.  Every entry stays within 1.02: S is positive
+ * semi-definite with diagonal entries of at most 1.01, and so is each of its
+ * complements, so by Cauchy-Schwarz no entry and no factor can outgrow its
+ * diagonal. */
 typedef struct {
-    int64_t a_q60[OCEL_S_COUNT][OCEL_S_COUNT];
+    int64_t a_q60[(OCEL_S_COUNT * (OCEL_S_COUNT + 1)) / 2];
     ocel_scaled_t inverse[OCEL_S_COUNT];
-    int64_t covariance_xx_q60; /* of x and y, times the weight S[1][1] */
-    int64_t covariance_xy_q60;
-    int64_t covariance_yy_q60;
 } ocel_scatter_t;
+
+/* Where the points lie: their mean and their covariance, Q60. */
+typedef struct {
+    int64_t inverse_weight; /* of S[1][1]: 2^ceil(log2 n) / n, in [1, 2) */
+    int64_t x;
+    int64_t y;
+    int64_t xx;
+    int64_t xy;
+    int64_t yy;
+} ocel_spread_t;
+
+/* The place of row i, column j <= i. */
+static inline uint32_t ocel_scatter_at(uint32_t i, uint32_t j) {
+    return ((i * (i + 1U)) / 2U) + j;
+}
 
 /* Eliminates column k.  False, and nothing done, when the pivot is below
  * `least_q60` (>= 1): the column depends on those before it. */
 bool ocel_scatter_eliminate(ocel_scatter_t *scatter, uint32_t k, int64_t least_q60);
 
-/* Fills S, eliminates the constant and the linear columns, and keeps the
- * covariance on the way.  False when the points are collinear. */
-bool ocel_scatter_reduce(const ocel_moments_t *moments, ocel_scatter_t *scatter);
+/* Lays the moments out as S, eliminates the constant and the linear columns,
+ * and reads the spread on the way.  False when the points are collinear. */
+bool ocel_scatter_reduce(const ocel_moments_t *moments, ocel_scatter_t *scatter,
+                         ocel_spread_t *spread);
 
 #endif

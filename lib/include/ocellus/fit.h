@@ -7,6 +7,7 @@
 #ifndef OCELLUS_FIT_H
 #define OCELLUS_FIT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include <ocellus/status.h>
@@ -44,6 +45,15 @@ ocel_status_t ocel_fit_points(const ocel_point_t *points, size_t count,
  * 64-bit sums.  Same statuses. */
 ocel_status_t ocel_fit_cracks(const ocel_crack_t *cracks, size_t count,
                               const ocel_fit_options_t *options, ocel_ellipse_t *ellipse);
+
+/* B2AC on boundary cracks: what the eye runs, and all that it links.
+ *   closed  the cracks are a whole closed boundary, so they cover the full turn;
+ *           false: the arc is measured.
+ * The bits of ocel_fit_cracks with OCEL_FIT_B2AC.  Statuses the same, but
+ * OCEL_OVERFLOW also for what exact 64-bit sums might not hold: a disc of more
+ * than 512 px radius (ocel_fit_cracks takes its other path there). */
+ocel_status_t ocel_fit_boundary(const ocel_crack_t *cracks, size_t count, bool closed,
+                                ocel_ellipse_t *ellipse);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * From a conic to the answer of a fit.
+ */
+#ifndef OCELLUS_FIT_FINISH_H
+#define OCELLUS_FIT_FINISH_H
+
+#include <stdbool.h>
+
+#include <ocellus/status.h>
+#include <ocellus/types.h>
+
+#include "conic.h"
+#include "moments.h"
+#include "scatter.h"
+
+/* What every fit hands on: the best conic, and where the points lie. */
+typedef struct {
+    ocel_conic_t conic;
+    ocel_spread_t spread;
+    ocel_frame_t frame;
+} ocel_solution_t;
+
+/* Writes the ellipse but for its method and whether it was perturbed; zeroes it
+ * unless the status is OCEL_OK or OCEL_PARTIAL.  `closed`: the points are a
+ * whole closed boundary, so the arc need not be measured. */
+ocel_status_t ocel_fit_finish(const ocel_solution_t *solution, const ocel_source_t *source,
+                              bool closed, ocel_ellipse_t *ellipse);
+
+/* B2AC on moments: the reduced scatter matrix and its conic. */
+ocel_status_t ocel_fit_direct(const ocel_moments_t *moments, ocel_solution_t *solution,
+                              int64_t *eigenvalue_q60);
+
+#endif
