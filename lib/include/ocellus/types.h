@@ -71,17 +71,17 @@ typedef struct {
 
 /* A fitted ellipse. */
 typedef struct {
-    int32_t cx_px_q16;             /* centre */
+    int32_t cx_px_q16; /* centre */
     int32_t cy_px_q16;
-    int32_t a_px_q16;              /* semi-axes, a >= b > 0 */
+    int32_t a_px_q16; /* semi-axes, a >= b > 0 */
     int32_t b_px_q16;
-    uint32_t angle_turn_q32;       /* major axis from +x towards +y, [0, 2^31): half a turn */
-    uint32_t rms_px_q16;           /* residual: Taubin's approximation of the RMS distance */
-    uint32_t centre_sigma_px_q16;  /* expected standard deviation of the centre (fit.h) */
-    uint32_t arc_coverage_q16;     /* fraction of the turn that the points cover, <= 65536 */
+    uint32_t angle_turn_q32;      /* major axis from +x towards +y, [0, 2^31): half a turn */
+    uint32_t rms_px_q16;          /* residual: Taubin's approximation of the RMS distance */
+    uint32_t centre_sigma_px_q16; /* expected standard deviation of the centre (fit.h) */
+    uint32_t arc_coverage_q16;    /* fraction of the turn that the points cover, <= 65536 */
     uint32_t point_count;
     ocel_fit_method_t method;
-    bool perturbed;                /* the LCSE perturbation was applied */
+    bool perturbed; /* the LCSE perturbation was applied */
 } ocel_ellipse_t;
 
 #endif
