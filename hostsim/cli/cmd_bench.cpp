@@ -193,7 +193,9 @@ class Bench {
     }
 
     void fit_stage(ocel_fit_method_t method) {
-        const ocel_fit_options_t options{method, OCEL_PERTURB_AUTO};
+        ocel_fit_options_t options{};
+        options.method = method;
+        options.closed = true; // a whole boundary, as the eye fits it
         ocel_ellipse_t ellipse{};
         const double ns = fastest_ns([this, &options, &ellipse] {
             require_ok(ocel_fit_cracks(boundary_.data(), boundary_.size(), &options, &ellipse));

@@ -177,9 +177,9 @@ class Detector {
 
   private:
     void compile(ocel_format_t format) {
-        if (!compiled_ || colour_.format != format) {
+        if (compiled_ != format) {
             (void)exit_code_of(ocel_colour_compile(&colour_, &*range_, format, &table_));
-            compiled_ = true;
+            compiled_ = format;
         }
     }
 
@@ -221,7 +221,7 @@ class Detector {
     std::optional<ocel_colour_range_t> range_;
     ocel_colour_table_t table_{};
     ocel_colour_t colour_{};
-    bool compiled_ = false;
+    std::optional<ocel_format_t> compiled_;
     std::unique_ptr<ocel_eye_t> eye_ = std::make_unique<ocel_eye_t>();
 };
 

@@ -55,8 +55,9 @@ Json json_of_fit(ocel_status_t status, const ocel_fit_options_t &options,
 }
 
 int run_fit(const FitArguments &arguments) {
-    const ocel_fit_options_t options{parse_method(arguments.method),
-                                     parse_perturb(arguments.perturb)};
+    ocel_fit_options_t options{};
+    options.method = parse_method(arguments.method);
+    options.perturb = parse_perturb(arguments.perturb);
     const std::vector<ocel_point_t> points = read_points(arguments.path);
     ocel_ellipse_t ellipse{};
     const ocel_status_t status = ocel_fit_points(points.data(), points.size(), &options, &ellipse);
