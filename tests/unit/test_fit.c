@@ -353,6 +353,98 @@ static void test_closed(void) {
     }
 }
 
+/* ---- The eye's own fit ---- */
+
+static void test_boundary_statuses(void) {
+    ocel_ellipse_t ellipse;
+    static const ocel_crack_t line[6] = {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {8, 9}, {10, 11}};
+    static const ocel_crack_t far[6] = {{0, 1},       {32767, 0},   {32766, 32767},
+                                        {-1, -32768}, {9000, 9001}, {-20000, 13}};
+    TEST_ASSERT_EQUAL(OCEL_NULL_ARGUMENT, ocel_fit_boundary(NULL, 100, true, &ellipse));
+    TEST_ASSERT_TRUE(fit_is_zero(&ellipse));
+    TEST_ASSERT_EQUAL(OCEL_NULL_ARGUMENT, ocel_fit_boundary(line, 6, true, NULL));
+    for (size_t few = 0; few < (size_t)OCEL_MIN_FIT_POINTS; few++) {
+        memset(&ellipse, 0xA5, sizeof(ellipse));
+        TEST_ASSERT_EQUAL(OCEL_TOO_FEW_POINTS, ocel_fit_boundary(line, few, false, &ellipse));
+        TEST_ASSERT_TRUE(fit_is_zero(&ellipse));
+    }
+    memset(&ellipse, 0xA5, sizeof(ellipse));
+    TEST_ASSERT_EQUAL(OCEL_OVERFLOW,
+                      ocel_fit_boundary(line, (size_t)OCEL_MAX_FIT_POINTS + 1U, true, &ellipse));
+    TEST_ASSERT_TRUE(fit_is_zero(&ellipse));
+    TEST_ASSERT_EQUAL(OCEL_OVERFLOW, ocel_fit_boundary(line, SIZE_MAX, true, &ellipse));
+    memset(&ellipse, 0xA5, sizeof(ellipse));
+    TEST_ASSERT_EQUAL(OCEL_DEGENERATE, ocel_fit_boundary(line, 6, true, &ellipse));
+    TEST_ASSERT_TRUE(fit_is_zero(&ellipse));
+    memset(&ellipse, 0xA5, sizeof(ellipse));
+    TEST_ASSERT_EQUAL(OCEL_OVERFLOW, ocel_fit_boundary(far, 6, true, &ellipse));
+    TEST_ASSERT_TRUE(fit_is_zero(&ellipse));
+}
+
+/* The bits of ocel_fit_cracks with b2ac, closed or not. */
+static void test_boundary_equals_cracks(void) {
+    for (int trial = 0; trial < 200; trial++) {
+        const size_t count = draw_random_disc(2, 60);
+        const size_t used = (trial % 2 == 0) ? count : count / 2U + 3U;
+        for (int closed = 0; closed < 2; closed++) {
+            ocel_fit_options_t options = with(OCEL_FIT_B2AC);
+            ocel_ellipse_t one;
+            ocel_ellipse_t two;
+            options.closed = closed != 0;
+            const ocel_status_t status = ocel_fit_cracks(cracks, used, &options, &one);
+            TEST_ASSERT_EQUAL(status, ocel_fit_boundary(cracks, used, closed != 0, &two));
+            TEST_ASSERT_TRUE(fit_same_bits(&one, &two));
+        }
+    }
+}
+
+/* Boundaries of ellipses of every shape and tilt, thin ones too, against the
+ * reference on the same cracks. */
+static void test_boundary_of_thin_ellipses(void) {
+    static ocel_crack_t boundary[4096];
+    static ref_point_t same[4096];
+    double worst = 0.0;
+    int tried = 0;
+    for (int trial = 0; trial < 400; trial++) {
+        const double a = rng_log_uniform(&rng, 10.0, 150.0);
+        const double b = rng_log_uniform(&rng, 1.5, a);
+        const double angle = rng_uniform(&rng, 0.0, FIT_PI);
+        const double cx = 160.0 + rng_unit(&rng);
+        const double cy = 160.0 + rng_unit(&rng);
+        size_t count = 0;
+        for (int y = 0; y < 320; y++) {
+            for (int x = 0; x < 320; x++) {
+                bool in[3];
+                for (int k = 0; k < 3; k++) {
+                    const double dx = x + (k == 1 ? 1 : 0) - cx;
+                    const double dy = y + (k == 2 ? 1 : 0) - cy;
+                    const double u = (dx * cos(angle) + dy * sin(angle)) / a;
+                    const double v = (dy * cos(angle) - dx * sin(angle)) / b;
+                    in[k] = u * u + v * v <= 1.0;
+                }
+                for (int k = 1; k < 3; k++) {
+                    if (in[0] != in[k]) {
+                        boundary[count].x_hpx = (int16_t)(2 * x + (k == 1 ? 1 : 0));
+                        boundary[count].y_hpx = (int16_t)(2 * y + (k == 2 ? 1 : 0));
+                        count++;
+                    }
+                }
+            }
+        }
+        ocel_ellipse_t ellipse;
+        ref_ellipse_t want;
+        fit_cracks_to_points(boundary, count, same);
+        TEST_ASSERT_TRUE(ref_fit(REF_B2AC, same, count, &want));
+        TEST_ASSERT_EQUAL(OCEL_OK, ocel_fit_boundary(boundary, count, true, &ellipse));
+        const ref_ellipse_t got = fit_to_double(&ellipse);
+        worst = fmax(worst, fmax(fit_centre_distance(&want, &got), fit_axes_distance(&want, &got)));
+        tried++;
+    }
+    printf("boundaries of %d ellipses, axes 150:1.5 and rounder: worst error %.1e px\n", tried,
+           worst);
+    TEST_ASSERT_TRUE(worst < 1e-4);
+}
+
 /* ---- What must not change the answer ---- */
 
 static void test_translation_by_whole_pixels(void) {
@@ -893,6 +985,9 @@ int main(void) {
     RUN_TEST(test_degenerate_cracks);
     RUN_TEST(test_partial);
     RUN_TEST(test_closed);
+    RUN_TEST(test_boundary_statuses);
+    RUN_TEST(test_boundary_equals_cracks);
+    RUN_TEST(test_boundary_of_thin_ellipses);
     RUN_TEST(test_translation_by_whole_pixels);
     RUN_TEST(test_translated_cracks);
     RUN_TEST(test_order_of_points);
