@@ -78,13 +78,13 @@ static int64_t mapped(int32_t a, int32_t b, int32_t x, int32_t y, int32_t shift)
     return ocel_scale_q60(((int64_t)a * x) + ((int64_t)b * y), shift);
 }
 
-/* One bit for each sector that holds a sampled point. */
+/* One bit for each sector that holds a point. */
 static uint32_t sectors_hit(const ocel_source_t *source, const rounding_t *map,
-                            const ocel_ellipse_t *ellipse, uint32_t step) {
+                            const ocel_ellipse_t *ellipse) {
     uint32_t hit = 0U;
     size_t i;
 
-    for (i = 0U; i < source->count; i += step) { /* bound: OCEL_ARC_SAMPLES */
+    for (i = 0U; i < source->count; i++) { /* bound: count <= OCEL_MAX_FIT_POINTS */
         const ocel_pair_t p = ocel_source_px_q16(source, i);
         const int32_t dx = (int32_t)ocel_asr64(p.x - ellipse->cx_px_q16, 1U);
         const int32_t dy = (int32_t)ocel_asr64(p.y - ellipse->cy_px_q16, 1U);
@@ -96,7 +96,7 @@ static uint32_t sectors_hit(const ocel_source_t *source, const rounding_t *map,
 }
 
 /* Sectors covered: those hit and the gaps between them that are no longer than
- * `gap`, which so few samples may leave in a covered arc. */
+ * `gap`, which so few points may leave in a covered arc. */
 static uint32_t sectors_covered(uint32_t hit, uint32_t gap) {
     uint32_t covered = 0U;
     uint32_t empty = 0U;
@@ -120,7 +120,9 @@ static uint32_t sectors_covered(uint32_t hit, uint32_t gap) {
 
 /* rms * spread / sqrt(count): rms < 2^30, spread < 2^18. */
 static uint32_t centre_sigma(uint32_t rms_px_q16, uint32_t count, uint32_t covered) {
-    const uint32_t index = (covered < SPREAD_FIRST) ? 0U : (covered - SPREAD_FIRST);
+    /* An arc short of the turn begins and ends within a sector: one less. */
+    const uint32_t sectors = (covered < OCEL_ARC_SECTORS) ? (covered - 1U) : covered;
+    const uint32_t index = (sectors < SPREAD_FIRST) ? 0U : (sectors - SPREAD_FIRST);
     const uint64_t spread = (uint64_t)rms_px_q16 * spread_q4[index];
     ocel_scaled_t root;
     uint64_t sigma;
@@ -134,12 +136,9 @@ static uint32_t centre_sigma(uint32_t rms_px_q16, uint32_t count, uint32_t cover
 uint32_t ocel_arc_sectors(const ocel_source_t *source, const ocel_conic_t *conic,
                           const ocel_frame_t *frame, const ocel_ellipse_t *ellipse) {
     const rounding_t map = rounding_of(conic, frame, ellipse->a_px_q16);
-    const uint32_t count = (uint32_t)source->count;
-    const uint32_t step = (count + (OCEL_ARC_SAMPLES - 1U)) / OCEL_ARC_SAMPLES;
-    const uint32_t samples = (count < OCEL_ARC_SAMPLES) ? count : OCEL_ARC_SAMPLES;
 
-    return sectors_covered(sectors_hit(source, &map, ellipse, step),
-                           (2U * OCEL_ARC_SECTORS) / samples);
+    return sectors_covered(sectors_hit(source, &map, ellipse),
+                           (2U * OCEL_ARC_SECTORS) / (uint32_t)source->count);
 }
 
 void ocel_arc_judge(uint32_t sectors, ocel_ellipse_t *ellipse) {

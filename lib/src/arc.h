@@ -15,9 +15,6 @@
 /* Sectors into which the turn is divided. */
 #define OCEL_ARC_SECTORS 32U
 
-/* Points that are looked at, evenly spaced in the order given. */
-#define OCEL_ARC_SAMPLES 256U
-
 /* Sectors, 0..32, that the points cover as seen from the ellipse's centre, in a
  * frame in which the ellipse is a circle. */
 uint32_t ocel_arc_sectors(const ocel_source_t *source, const ocel_conic_t *conic,

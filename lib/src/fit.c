@@ -16,6 +16,13 @@
  * pixels are above: their residual, .23 px, is 2^-13 of the widest image. */
 #define UNSTABLE_Q60 ((int64_t)1 << 26)
 
+/* The second opinion on a short arc.  Under 11/32 of a turn (124 degrees) the
+ * unbiased fit's centre must be expected within 1/20 of its semi-minor axis; the
+ * two centres must agree within that or three sigma. */
+#define SHORT_ARC_Q16 (11U * 2048U)
+#define VOUCHED_FRACTION 20U
+#define SIGMA_MAX_Q16 (1U << 29)
+
 static ocel_status_t check(bool present, size_t count, const ocel_fit_options_t *options,
                            const ocel_ellipse_t *ellipse) {
     ocel_status_t status = OCEL_OK;
@@ -113,6 +120,41 @@ static ocel_status_t fit(const ocel_source_t *source, const ocel_fit_options_t *
     return status;
 }
 
+/* Whether two centres are within a tolerance that is below 2^31. */
+static bool near(const ocel_ellipse_t *one, const ocel_ellipse_t *other, uint32_t tolerance_q16) {
+    const int64_t dx = (int64_t)one->cx_px_q16 - other->cx_px_q16;
+    const int64_t dy = (int64_t)one->cy_px_q16 - other->cy_px_q16;
+    const int64_t limit = tolerance_q16;
+    bool is_near = (dx <= limit) && (dx >= -limit) && (dy <= limit) && (dy >= -limit);
+
+    if (is_near) {
+        is_near = ((dx * dx) + (dy * dy)) <= (limit * limit);
+    }
+    return is_near;
+}
+
+/* A short arc is vouched for when the fit with the bias and the one without
+ * agree: on such arcs B2AC flattens the ellipse until its own arc looks long,
+ * and hyper scatters.  `ellipse` is the one, the other is made here. */
+static bool second_opinion(const ocel_source_t *source, const ocel_ellipse_t *ellipse) {
+    const bool is_hyper = ellipse->method == OCEL_FIT_HYPER;
+    const ocel_fit_options_t options = {is_hyper ? OCEL_FIT_B2AC : OCEL_FIT_HYPER,
+                                        OCEL_PERTURB_NEVER, false};
+    ocel_ellipse_t other = {0};
+    const ocel_status_t status = fit(source, &options, &other);
+    const ocel_ellipse_t *const unbiased = is_hyper ? ellipse : &other;
+    const uint32_t allowed = (uint32_t)unbiased->b_px_q16 / VOUCHED_FRACTION;
+    const uint32_t sigma = unbiased->centre_sigma_px_q16;
+    bool agreed = false;
+
+    if (((status == OCEL_OK) || (status == OCEL_PARTIAL)) &&
+        ((unbiased->arc_coverage_q16 >= SHORT_ARC_Q16) || (sigma <= allowed)) &&
+        (sigma < SIGMA_MAX_Q16)) {
+        agreed = near(ellipse, &other, (sigma > (allowed / 3U)) ? (3U * sigma) : allowed);
+    }
+    return agreed;
+}
+
 static ocel_status_t checked_fit(const ocel_source_t *source, bool present,
                                  const ocel_fit_options_t *options, ocel_ellipse_t *ellipse) {
     static const ocel_fit_options_t defaults = {OCEL_FIT_B2AC, OCEL_PERTURB_AUTO, false};
@@ -124,6 +166,9 @@ static ocel_status_t checked_fit(const ocel_source_t *source, bool present,
     }
     if (status == OCEL_OK) {
         status = fit(source, chosen, ellipse);
+        if ((status == OCEL_PARTIAL) && second_opinion(source, ellipse)) {
+            status = OCEL_OK;
+        }
     }
     return status;
 }

@@ -5,22 +5,36 @@
 
 #include "arc.h"
 #include "ellipse.h"
+#include "int_math.h"
+#include "q60.h"
 
-/* An arc under 11/32 of a turn (124 degrees) is vouched for only when the
- * centre is expected within 1/20 of the semi-minor axis. */
-#define SHORT_ARC_Q16 (11U * 2048U)
-#define VOUCHED_FRACTION 20U
+/* From 20/32 of a turn (225 degrees) on, no fit is far from another: vouched for
+ * without a second opinion. */
+#define TRUSTED_ARC_Q16 (20U * 2048U)
 
-static bool vouched(const ocel_ellipse_t *ellipse) {
-    return (ellipse->arc_coverage_q16 >= SHORT_ARC_Q16) ||
-           (ellipse->centre_sigma_px_q16 <= ((uint32_t)ellipse->b_px_q16 / VOUCHED_FRACTION));
+/* The conic's flatness as every affine frame sees it: 4AC - B^2 over (A + C)^2
+ * in the frame in which the points do not correlate.  An arc of a turn's
+ * fraction t has about tan^2(90 t): .017 at 30 degrees, 2^-9 at 10. */
+static bool too_flat(const ocel_conic_t *conic, const ocel_spread_t *spread) {
+    const int64_t determinant =
+        ocel_mul_q60(spread->xx, spread->yy) - ocel_mul_q60(spread->xy, spread->xy);
+    const int64_t trace = ocel_mul_q60(OCEL_Q60_ONE + conic->v_q60, spread->xx) +
+                          (2 * ocel_mul_q60(conic->w_q60, spread->xy)) +
+                          ocel_mul_q60(OCEL_Q60_ONE - conic->v_q60, spread->yy);
+    const int64_t half = ocel_asr64(trace, 1U);
+
+    return ocel_mul_q60(ocel_conic_flatness_q60(conic), determinant) <
+           ocel_asr64(ocel_mul_q60(half, half), 9U);
 }
 
 ocel_status_t ocel_fit_finish(const ocel_solution_t *solution, const ocel_source_t *source,
                               bool closed, ocel_ellipse_t *ellipse) {
-    ocel_status_t status =
-        ocel_ellipse_of_conic(&solution->conic, &solution->spread, &solution->frame, ellipse);
+    ocel_status_t status = OCEL_NOT_AN_ELLIPSE;
 
+    if (!too_flat(&solution->conic, &solution->spread)) {
+        status =
+            ocel_ellipse_of_conic(&solution->conic, &solution->spread, &solution->frame, ellipse);
+    }
     if (status == OCEL_OK) {
         uint32_t sectors = OCEL_ARC_SECTORS;
 
@@ -29,7 +43,7 @@ ocel_status_t ocel_fit_finish(const ocel_solution_t *solution, const ocel_source
             sectors = ocel_arc_sectors(source, &solution->conic, &solution->frame, ellipse);
         }
         ocel_arc_judge(sectors, ellipse);
-        status = vouched(ellipse) ? OCEL_OK : OCEL_PARTIAL;
+        status = (ellipse->arc_coverage_q16 >= TRUSTED_ARC_Q16) ? OCEL_OK : OCEL_PARTIAL;
     } else {
         (void)memset(ellipse, 0, sizeof(*ellipse));
     }
