@@ -24,8 +24,8 @@ extern "C" {
  *
  * A fit is vouched for when its points are said to be closed or cover 20/32 of
  * the turn (225 degrees).  A shorter arc wants agreement: B2AC (or LCSE) and
- * hyper must put the centre in the same place, within 5 % of the semi-minor
- * axis or 3 sigma, and below 11/32 (124 degrees) sigma must be under that 5 %
+ * hyper must put the centre in the same place, within 10 % of the semi-minor
+ * axis, and below 11/32 of the turn (124 degrees) sigma must be under 5 % of it
  * too.  Exact points pass whatever their arc.
  *
  * Fits an ellipse to points in any order.
