@@ -51,11 +51,15 @@ typedef struct {
 typedef struct {
     ocel_colour_range_t range;
     ocel_format_t format;
-    uint8_t box_lo[3];                /* a box around the range, in the format's channels */
-    uint8_t box_hi[3];
-    uint8_t channel_order[3];         /* the most selective channel first */
-    uint8_t box_is_exact;             /* 1: the box is the range; 0: test survivors again */
     const ocel_colour_table_t *table; /* RGB565 only; null elsewhere */
+    uint16_t begin[3]; /* bounds of the bytes at[k] of a pixel, begin <= byte < end; */
+    uint16_t end[3];   /* of three-byte pixels the narrowest first */
+    uint8_t at[3];
+    uint8_t above; /* the byte that exceeds byte `below` by at least `lead` */
+    uint8_t below;
+    uint8_t lead;
+    uint8_t test;     /* how a line is tested; 0: not compiled */
+    uint8_t decision; /* how the pixels that pass are decided */
 } ocel_colour_t;
 
 /* Bytes of one line of `width` pixels in `format`; 0 for an unknown format. */
@@ -86,30 +90,46 @@ ocel_status_t ocel_colour_row(const ocel_colour_t *colour, const uint8_t *line, 
 
 /* ---- Teaching: the range that covers a rectangle's pixels ---- */
 
-/* Counts while the taught rectangle is read: caller-owned, about 3.1 KB. */
+/* Counts while the taught rectangle is read: caller-owned, about 5.1 KB.  Opaque. */
 typedef struct {
-    uint32_t count[3][256]; /* per channel of the space; hue in steps of 360/256 degrees */
-    uint32_t pixels;
+    uint32_t count[3][256];   /* per channel; hue in steps of 360/256 degrees, by chroma */
+    uint32_t hueless[2][256]; /* HSV: S and V of the pixels that carry no hue */
+    uint32_t pixels;          /* all that were added */
+    uint32_t hueless_pixels;
     ocel_space_t space;
     ocel_format_t format;
+    uint16_t state;
 } ocel_teach_t;
 
 /* Starts teaching a range in `space` from lines in `format`.
- * OCEL_NULL_ARGUMENT, OCEL_BAD_FORMAT, OCEL_BAD_OPTION as in ocel_colour_compile. */
+ * OCEL_NULL_ARGUMENT  teach is null
+ * OCEL_BAD_FORMAT     format is none of the enumeration
+ * OCEL_BAD_OPTION     space is none of the enumeration */
 ocel_status_t ocel_teach_begin(ocel_teach_t *teach, ocel_space_t space, ocel_format_t format);
 
 /* Adds pixels first_x .. first_x + count - 1 of one line.
  * OCEL_NULL_ARGUMENT  a pointer is null
+ * OCEL_BAD_ORDER      teaching was not begun
  * OCEL_BAD_SIZE       count is 0, or first_x + count over OCEL_MAX_WIDTH
- * OCEL_BAD_STRIDE     the line has fewer bytes than that */
+ * OCEL_BAD_STRIDE     the line has fewer bytes than that
+ * OCEL_OVERFLOW       more than 2^24 pixels in all; these were not added */
 ocel_status_t ocel_teach_line(ocel_teach_t *teach, const uint8_t *line, size_t line_bytes,
                               uint16_t first_x, uint16_t count);
 
-/* The range learnt: per channel the middle 96 % of the pixels, widened by a
- * quarter of its width and by at least a stated margin; for hue the shortest
- * arc that holds 96 %.
+/* The range learnt, fit for ocel_colour_compile: per channel the middle 96 % of
+ * the pixels, each end moved out by a quarter of the width or by a margin,
+ * whichever is more, within the space.  The margins: 8 of 255 for R, G, B, Y and
+ * grey, 4 for U and V, 16 for S and V, 4 degrees for H.
+ *
+ * Hue is the shortest arc that holds 96 %, a pixel counting as much as it has
+ * chroma (largest less smallest channel).  Pixels with a chroma under 8 carry no
+ * hue, the noise of a camera turns it anyhow.  As the minority they are taken
+ * for highlights and shadows and left out; as the majority they are the object,
+ * and the range holds every hue.
  * OCEL_NULL_ARGUMENT   a pointer is null
- * OCEL_TOO_FEW_POINTS  fewer than 16 pixels were added */
+ * OCEL_BAD_ORDER       teaching was not begun
+ * OCEL_TOO_FEW_POINTS  fewer than 16 pixels were added
+ * `range` is written for OCEL_OK only. */
 ocel_status_t ocel_teach_end(const ocel_teach_t *teach, ocel_colour_range_t *range);
 
 #ifdef __cplusplus
