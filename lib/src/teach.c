@@ -25,6 +25,9 @@
 /* Noise of +-2 levels turns the hue of this chroma by 60 * 2 / 8 = 15 degrees. */
 #define CHROMA_MIN 8U
 
+/* Pixels whose mean chroma is under this are no better than noise themselves. */
+#define CHROMA_WEAK 16U
+
 #define TURN_DEG 360U
 
 /* ocel_teach_t.state; not 0 or 1, as memory that was never begun often is. */
@@ -297,10 +300,22 @@ static void learn_hue(ocel_colour_range_t *range, const uint32_t *weights) {
     }
 }
 
-/* The chosen S and V margins are wide: brightness changes with the light, and
+/* Whether the object's pixels carry a hue, and those that do not are something
+ * else: a minority, and one beside pixels of clear colour unless it is too small
+ * to matter.  Products and sums are at most 2^24 * 255. */
+static bool is_coloured(const ocel_teach_t *teach) {
+    const uint32_t hued = teach->pixels - teach->hueless_pixels;
+    const uint32_t chroma = total_of(teach->count[0], NULL);
+    const bool few = teach->hueless_pixels <= (teach->pixels / 32U);
+    const bool minority = teach->hueless_pixels <= (teach->pixels / 2U);
+
+    return few || (minority && (chroma >= (CHROMA_WEAK * hued)));
+}
+
+/* The margins of S and V are wide: brightness changes with the light, and
  * saturation with the brightness. */
 static void learn_hsv(ocel_colour_range_t *range, const ocel_teach_t *teach) {
-    const bool coloured = teach->hueless_pixels <= (teach->pixels / 2U);
+    const bool coloured = is_coloured(teach);
 
     if (coloured) {
         learn_hue(range, teach->count[0]);

@@ -123,9 +123,10 @@ ocel_status_t ocel_teach_line(ocel_teach_t *teach, const uint8_t *line, size_t l
  *
  * Hue is the shortest arc that holds 96 %, a pixel counting as much as it has
  * chroma (largest less smallest channel).  Pixels with a chroma under 8 carry no
- * hue, the noise of a camera turns it anyhow.  As the minority they are taken
- * for highlights and shadows and left out; as the majority they are the object,
- * and the range holds every hue.
+ * hue: the noise of a camera turns it anyhow.  They are left out as highlights
+ * and shadows when they are at most half of all and the others' chroma is 16 or
+ * more in the mean; or when they are at most 1/32.  Otherwise the object is grey,
+ * all pixels count, and the range holds every hue.
  * OCEL_NULL_ARGUMENT   a pointer is null
  * OCEL_BAD_ORDER       teaching was not begun
  * OCEL_TOO_FEW_POINTS  fewer than 16 pixels were added
