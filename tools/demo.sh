@@ -23,6 +23,7 @@ cd "$(dirname "$0")/.."
 photos=build/third_party/photos
 bin=build/host/bin
 out=build/demo
+ball_colour=hsv:5-45,125-255,40-255
 
 step() {
     printf '\n== %s\n' "$1"
@@ -43,9 +44,7 @@ quietly() {
 
 # Shows and runs a detection. Exit code 1 is an answer too; 2 ends the demo.
 detect() {
-    printf '$ ocellus detect'
-    printf ' %q' "$@"
-    printf '\n'
+    printf '$ ocellus detect %s\n' "$*"
     "$bin/ocellus" detect "$@" || [ $? -eq 1 ]
 }
 
@@ -68,10 +67,13 @@ step "5/5 a rendered ball in 24 frames, fed line by line as RGB565"
 rm -rf "$out/frames" "$out/annotated"
 mkdir -p "$out/annotated"
 "$bin/ball_sequence" --out "$out/frames" --frames 24
-"$bin/ocellus" detect --colour "hsv:5-45,125-255,40-255" --format rgb565 \
-    --annotate "$out/annotated" "$out"/frames/frame_*.png >"$out/sequence.jsonl" || [ $? -eq 1 ]
-echo "\$ ocellus detect --colour hsv:5-45,125-255,40-255 --format rgb565 \\"
+echo "\$ ocellus detect --colour $ball_colour --format rgb565 \\"
 echo "      --annotate $out/annotated $out/frames/frame_*.png"
+"$bin/ocellus" detect --colour "$ball_colour" --format rgb565 --annotate "$out/annotated" \
+    "$out"/frames/frame_*.png >"$out/sequence.jsonl" || [ $? -eq 1 ]
+head -n 1 "$out/sequence.jsonl"
+echo "..."
+tail -n 1 "$out/sequence.jsonl"
 python3 - "$out/frames/truth.csv" "$out/sequence.jsonl" <<'PY'
 import csv, json, math, os, sys
 

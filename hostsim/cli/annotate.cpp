@@ -19,7 +19,7 @@ struct Ink {
 };
 
 constexpr Ink kVouched{40, 255, 80};
-constexpr Ink kEstimate{255, 150, 0};
+constexpr Ink kEstimate{255, 60, 255};
 constexpr Ink kBox{255, 255, 255};
 constexpr Ink kShade{0, 0, 0};
 constexpr double kShadeStrength = 0.6;

@@ -256,7 +256,7 @@ void add_options(CLI::App &command, DetectArguments &arguments) {
         "what the library is fed: auto (default), rgb888, bgr888, gray8, or rgb565 as small "
         "cameras deliver it");
     add("--annotate", arguments.annotate, "OUT.png",
-        "write a copy with the blob's box, the ellipse (green when ok, else orange) and its "
+        "write a copy with the blob's box, the ellipse (green when ok, else magenta) and its "
         "centre to this PNG, or into this folder");
     add("--camera", arguments.camera, "", "")->group("");
     add("--radius", arguments.radius, "", "")->group("");

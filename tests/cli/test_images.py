@@ -64,7 +64,7 @@ class Formats(ProgramTest):
         self.assert_same(f"P3 9 5 255 {' '.join(str(s) for row in colour for s in row)}".encode())
 
     def test_what_follows_a_picture_is_said(self):
-        self.assert_same(pgm(ROWS) + b"P5 ", "2 bytes after the first picture")
+        self.assert_same(pgm(ROWS) + b"P5 ", "3 bytes after the first picture")
 
 
 class Broken(ProgramTest):
