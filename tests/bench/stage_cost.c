@@ -79,12 +79,12 @@ static void label_frame(const uint32_t *rows, ocel_connectivity_t connectivity) 
 }
 
 static void fit_points(ocel_fit_method_t method) {
-    const ocel_fit_options_t options = {method, OCEL_PERTURB_AUTO};
+    const ocel_fit_options_t options = {method, OCEL_PERTURB_AUTO, false};
     (void)ocel_fit_points(points, ARC_POINTS, &options, &ellipse);
 }
 
 static void fit_cracks(ocel_fit_method_t method, ocel_perturb_t perturb) {
-    const ocel_fit_options_t options = {method, perturb};
+    const ocel_fit_options_t options = {method, perturb, true};
     (void)ocel_fit_cracks(arc_cracks, ARC_POINTS, &options, &ellipse);
 }
 
@@ -146,6 +146,10 @@ static void measure_boundary(void) {
     must(ocel_label_boundary(&labeller, &pool, &cracks, &crack_count, NULL), "boundary");
 }
 
+static void measure_fit_boundary(void) {
+    (void)ocel_fit_boundary(arc_cracks, ARC_POINTS, true, &ellipse);
+}
+
 static void measure_fit_cracks_b2ac(void) {
     fit_cracks(OCEL_FIT_B2AC, OCEL_PERTURB_AUTO);
 }
@@ -173,9 +177,9 @@ static void measure_eye_frame(void) {
 /* ---- What they need first ---- */
 
 static void compile_for(const ocel_colour_range_t *range, ocel_format_t format) {
-    must(ocel_colour_compile(&colour, range, format,
-                             (format == OCEL_FORMAT_RGB565) ? &table : NULL),
-         "compile");
+    must(
+        ocel_colour_compile(&colour, range, format, (format == OCEL_FORMAT_RGB565) ? &table : NULL),
+        "compile");
 }
 
 static void prepare_rgb565(void) {
@@ -251,12 +255,16 @@ static const stage_t stages[] = {
     {"label_checkerboard_4", "checkerboard, 4-connected, px", PIXELS, prepare_nothing,
      measure_label_checkerboard_4},
     {"boundary", "disc of radius 40 px", 1, prepare_boundary, measure_boundary},
-    {"fit_cracks_b2ac", "cracks", ARC_POINTS, prepare_fit, measure_fit_cracks_b2ac},
-    {"fit_cracks_lcse", "cracks, always perturbed", ARC_POINTS, prepare_fit,
+    {"fit_boundary", "cracks, closed: what the eye runs", ARC_POINTS, prepare_fit,
+     measure_fit_boundary},
+    {"fit_cracks_b2ac", "cracks, closed", ARC_POINTS, prepare_fit, measure_fit_cracks_b2ac},
+    {"fit_cracks_lcse", "cracks, closed, always perturbed", ARC_POINTS, prepare_fit,
      measure_fit_cracks_lcse},
-    {"fit_cracks_hyper", "cracks", ARC_POINTS, prepare_fit, measure_fit_cracks_hyper},
-    {"fit_points_b2ac", "points", ARC_POINTS, prepare_fit, measure_fit_points_b2ac},
-    {"fit_points_hyper", "points", ARC_POINTS, prepare_fit, measure_fit_points_hyper},
+    {"fit_cracks_hyper", "cracks, closed", ARC_POINTS, prepare_fit, measure_fit_cracks_hyper},
+    {"fit_points_b2ac", "points, the arc measured", ARC_POINTS, prepare_fit,
+     measure_fit_points_b2ac},
+    {"fit_points_hyper", "points, the arc measured", ARC_POINTS, prepare_fit,
+     measure_fit_points_hyper},
     {"eye_frame", "frame with one ball, BGR888, px", PIXELS, prepare_eye, measure_eye_frame},
 };
 
