@@ -73,6 +73,11 @@ class Found(DetectTest):
         second = self.run_program("detect", "--colour", ORANGE, "-", stdin=ppm(ROWS))
         self.assertEqual(first.out, second.out)
 
+    def test_ink_of_a_bitmap_is_dark(self):
+        answer = self.run_program("detect", "--colour", "gray:0-9", "--min-area", 1, "-",
+                                  stdin=b"P1 4 3 0000 0110 0000")
+        self.assertEqual(answer.json["blob"]["area"], 2)
+
     def test_hue_wraps(self):
         self.write("red.png", png(ball(160, 120, *BALL, colour=(220, 20, 40)), COLOUR))
         self.assert_ball(self.run_program("detect", "--colour", "hsv:340-10,120-255,60-255",
@@ -180,6 +185,8 @@ class Several(DetectTest):
         self.assertEqual(answer.code, 1)
         self.assertEqual([(line["file"], line["status"]) for line in answer.lines],
                          [("ball.png", "ok"), ("empty.png", "not_seen")])
+        swapped = self.run_program("detect", "--colour", ORANGE, "empty.png", "ball.png")
+        self.assertEqual((swapped.code, swapped.lines[::-1]), (1, answer.lines))
         alone = self.run_program("detect", "--colour", ORANGE, "ball.png").json
         del answer.lines[0]["file"]
         self.assertEqual(answer.lines[0], alone)
@@ -207,6 +214,23 @@ class Annotating(DetectTest):
         red, green, blue = rows[y][3 * x:3 * x + 3]
         self.assertTrue(green > 200 and green > red + 80 and green > blue + 80, rows[y][3 * x - 6:])
         self.assertEqual(rows[5][:12], ROWS[5][:12])  # far from the ball nothing changes
+
+    def test_outline_of_a_tilted_ellipse(self):
+        turn = math.radians(30)
+        rows = [[0] * 120 for _ in range(100)]
+        for y in range(100):
+            for x in range(120):
+                u = (x - 60) * math.cos(turn) + (y - 50) * math.sin(turn)
+                v = (y - 50) * math.cos(turn) - (x - 60) * math.sin(turn)
+                rows[y][x] = 200 if (u / 40) ** 2 + (v / 20) ** 2 <= 1 else 0
+        answer = self.run_program("detect", "--colour", "gray:100-255", "--annotate", "out.png",
+                                  "-", stdin=pgm(rows))
+        self.assertAlmostEqual(answer.json["ellipse"]["angle_deg"], 30, delta=0.5)
+        _, _, drawn = read_png((self.folder / "out.png").read_bytes())
+        for x, y in ((60 + 40 * math.cos(turn), 50 + 40 * math.sin(turn)),
+                     (60 + 20 * math.sin(turn), 50 - 20 * math.cos(turn))):
+            red, green, _ = drawn[round(y)][3 * round(x):3 * round(x) + 3]
+            self.assertTrue(green > 150 and green > red + 80, (x, y))
 
     def test_estimate_is_not_green(self):
         self.write("cut.png", png(ball(160, 120, 150.0, 60.0, 30.0), COLOUR))
