@@ -6,8 +6,8 @@ usage() {
     cat <<'HELP'
 usage: tools/sizes.sh [--check FILE | --update FILE]
 
-Claim: the code is at most 16 KB (Cortex-M4, -O2), the eye's context without
-its boundary pool at most 8 KB, the pool at most 8 KB, and the stack of every
+Claim: what a firmware links of the eye, from camera lines to the ellipse, is at
+most 16 KB of code (Cortex-M4, -O2), the eye's context without its boundary pool at most 8 KB, the pool at most 8 KB, and the stack of every
 public function at most 1 KB.  Prints the tables as Markdown; --check compares
 them with the block <!-- sizes:begin --> of FILE, --update writes them there.
 HELP
@@ -68,6 +68,35 @@ contexts=(eye labeller crack_pool colour colour_table teach detection ellipse)
 $cc $flags $m4 -O2 -c "$work/contexts.c" -o "$work/contexts.out" || exit 1
 size_of() { echo $((16#$(arm-none-eabi-nm -S "$work/contexts.out" | awk -v n="size_$1" '$4 == n { print $2 }'))); }
 
+# What a firmware links: the code below main, with the C library's and libgcc's
+# share and without the sections that nothing calls.
+linked() { # NAME FLAGS CALLS...: bytes of text of a program that calls these
+    local objects="$work/$1" flags_here="$2"
+    shift 2
+    {
+        echo '#include <ocellus/ocellus.h>'
+        echo 'void _start(void);'
+        echo 'void (*volatile ocel_called)(void);'
+        echo 'void _start(void) {'
+        printf '    ocel_called = (void (*)(void))%s;\n' "$@"
+        echo '}'
+    } >"$work/firmware.c"
+    # shellcheck disable=SC2086
+    $cc -std=c99 -Ilib/include $flags_here -ffunction-sections -nostartfiles -Wl,--gc-sections \
+        -specs=nano.specs "$work/firmware.c" "$objects"/*.o -o "$work/firmware.elf" || return 1
+    # shellcheck disable=SC2086
+    $cc -std=c99 -Ilib/include $flags_here -c "$work/firmware.c" -o "$work/firmware_main.out"
+    echo $(($(arm-none-eabi-size "$work/firmware.elf" | awk 'NR > 1 { print $1 }') -
+        $(arm-none-eabi-size "$work/firmware_main.out" | awk 'NR > 1 { print $1 }')))
+}
+linked_row() { # TITLE CALLS...: one row of the table; sets linked_O2
+    local title="$1"
+    shift
+    linked_O2="$(linked m4_O2 "$m4 -O2" "$@")"
+    echo "| $title | $linked_O2 | $(linked m4_Os "$m4 -Os" "$@") |" \
+        "$(linked m0_Os "$m0 -Os" "$@") |"
+}
+
 # Every function that a public header declares.
 $cc -E -P -Ilib/include lib/include/ocellus/ocellus.h | grep -oE '\bocel_[a-z0-9_]+\(' | tr -d '(' | sort -u >"$work/declared"
 python3 tools/stack.py --only "$work/declared" --limit $limit_stack "$work"/m4_O2/*.ci >"$work/stack" || failed=1
@@ -78,9 +107,7 @@ limit() { # NAME VALUE LIMIT FIX
         failed=1
     fi
 }
-code="$(column m4_O2 "" 1)"
 eye="$(size_of eye)" pool="$(size_of crack_pool)"
-limit "the code (cortex-m4 -O2)" "$code" $limit_code "See the table for the largest modules."
 limit "the eye's context without the pool" $((eye - pool)) $limit_eye "See label.h for what a column costs."
 limit "the boundary pool" "$pool" $limit_pool "Lower OCEL_MAX_CRACKS in config.h."
 limit ".data and .bss together" $(($(column m4_O2 "" 2) + $(column m4_O2 "" 3))) 0 "The library keeps no state."
@@ -94,7 +121,20 @@ limit ".data and .bss together" $(($(column m4_O2 "" 2) + $(column m4_O2 "" 3)))
         module="$(basename "$source" .c)"
         echo "| $module | $(column m4_O2 "$module" 1) | $(column m4_Os "$module" 1) | $(column m0_Os "$module" 1) |"
     done
-    echo "| **all** (limit $limit_code) | $code | $(column m4_Os "" 1) | $(column m0_Os "" 1) |"
+    echo "| **all** | $(column m4_O2 "" 1) | $(column m4_Os "" 1) | $(column m0_Os "" 1) |"
+    echo
+    echo "What of it a firmware links, with the helpers of libgcc and the C library (\`--gc-sections\`):"
+    echo
+    echo "| a program that calls | cortex-m4 -O2 | cortex-m4 -Os | cortex-m0 -Os |"
+    echo "|---|--:|--:|--:|"
+    linked_row "the eye, on binary rows" ocel_eye_init ocel_eye_begin ocel_eye_row ocel_eye_end
+    linked_row "the eye, on camera lines of any format (limit $limit_code)" \
+        ocel_eye_init ocel_colour_compile ocel_eye_frame
+    code="$linked_O2"
+    linked_row "the labeller alone" ocel_label_begin ocel_label_row ocel_label_end
+    linked_row "\`ocel_fit_boundary\` alone" ocel_fit_boundary
+    linked_row "\`ocel_fit_points\` alone, every method" ocel_fit_points
+    linked_row "every public function" $(cat "$work/declared")
     echo
     echo "Memory that the caller owns, bytes on a 32-bit machine under the default limits:"
     echo
@@ -114,6 +154,7 @@ limit ".data and .bss together" $(($(column m4_O2 "" 2) + $(column m4_O2 "" 3)))
     echo "|---|--:|"
     sort -k2,2nr -k1,1 "$work/stack" | awk '{ print "| `" $1 "` | " $2 " |" }'
 } >"$work/sizes.md"
+limit "the eye's code (cortex-m4 -O2)" "${code:-0}" $limit_code "See the tables for the largest modules."
 limit "the colour table" "$(size_of colour_table)" 8192 "One bit a colour is 8 KB."
 
 mkdir -p build/reports
@@ -129,4 +170,4 @@ if [ "$failed" -ne 0 ]; then
     echo "sizes: FAILED" >&2
     exit 1
 fi
-echo "sizes: code $code, eye $((eye - pool)) + pool $pool, stack $(sort -k2,2nr "$work/stack" | awk 'NR == 1 { print $2, "(" $1 ")" }')" >&2
+echo "sizes: code of the eye $code, eye $((eye - pool)) + pool $pool, stack $(sort -k2,2nr "$work/stack" | awk 'NR == 1 { print $2, "(" $1 ")" }')" >&2
