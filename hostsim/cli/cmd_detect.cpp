@@ -72,9 +72,14 @@ ocel_eye_config_t configuration(const DetectArguments &arguments, const Image &i
     config.min_area = arguments.min_area;
     config.connectivity =
         static_cast<ocel_connectivity_t>(parse_connectivity(arguments.connectivity));
-    config.fit.method = parse_method(arguments.method);
-    config.fit.perturb = parse_perturb(arguments.perturb);
     return config;
+}
+
+ocel_fit_options_t fit_options(const DetectArguments &arguments) {
+    ocel_fit_options_t options{};
+    options.method = parse_method(arguments.method);
+    options.perturb = parse_perturb(arguments.perturb);
+    return options;
 }
 
 // Everything that is wrong before a picture has been read.
@@ -154,7 +159,8 @@ void write_annotated(const DetectArguments &arguments, const std::string &path, 
 // One run of the command: the context, and the colour once it is known.
 class Detector {
   public:
-    explicit Detector(const DetectArguments &arguments) : arguments_(arguments) {
+    explicit Detector(const DetectArguments &arguments)
+        : arguments_(arguments), options_(fit_options(arguments)) {
         if (!arguments.colour.empty()) {
             range_ = parse_colour(arguments.colour);
         }
@@ -194,7 +200,17 @@ class Detector {
         }
         ocel_detection_t detection{};
         (void)ocel_eye_end(eye_.get(), &detection); // the same as detection.status
+        refit(detection);
         return detection;
+    }
+
+    // The eye itself fits b2ac; another method starts from the same boundary.
+    void refit(ocel_detection_t &detection) {
+        std::size_t count = 0;
+        (void)ocel_eye_boundary(eye_.get(), &count);
+        if (count > 0 && options_.method != OCEL_FIT_B2AC) {
+            (void)ocel_eye_refit(eye_.get(), &options_, &detection);
+        }
     }
 
     Json json_of(const ocel_detection_t &detection, const std::string &path) const {
@@ -218,6 +234,7 @@ class Detector {
     }
 
     const DetectArguments &arguments_;
+    const ocel_fit_options_t options_;
     std::optional<ocel_colour_range_t> range_;
     ocel_colour_table_t table_{};
     ocel_colour_t colour_{};

@@ -91,13 +91,7 @@ int run_label(const LabelArguments &arguments) {
         static_cast<ocel_connectivity_t>(parse_connectivity(arguments.connectivity));
     const Image mask = read_image(arguments.path, Purpose::kMask);
     const auto labelling = std::make_unique<Labelling>(mask, connectivity);
-    Json blobs = Json::array();
-    for (const ocel_blob_t &blob : labelling->blobs()) {
-        blobs.push_back(json_of_blob(blob));
-    }
-    print_line(Json{{"status", ocel_status_name(labelling->status())},
-                    {"count", blobs.size()},
-                    {"blobs", blobs}});
+    print_blobs(labelling->status(), labelling->blobs());
     return exit_code_of(labelling->status());
 }
 

@@ -44,6 +44,19 @@ void print_line(const Json &object) {
     std::cout << object.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
+void print_blobs(ocel_status_t status, const std::vector<ocel_blob_t> &blobs) {
+    const Json head{{"status", ocel_status_name(status)}, {"count", blobs.size()}};
+    std::string line = head.dump();
+    line.pop_back(); // its closing brace
+    std::cout << line << ",\"blobs\":[";
+    const char *separator = "";
+    for (const ocel_blob_t &blob : blobs) {
+        std::cout << separator << json_of_blob(blob).dump();
+        separator = ",";
+    }
+    std::cout << "]}\n";
+}
+
 int exit_code_of(ocel_status_t status) {
     if (status >= OCEL_NULL_ARGUMENT) {
         throw InputError(std::string("the library refused the call: ") + ocel_status_name(status));

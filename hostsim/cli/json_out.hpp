@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include <ocellus/eye.h>
 #include <ocellus/status.h>
@@ -26,6 +27,10 @@ void add_ellipse(Json &object, const ocel_ellipse_t &ellipse);
 
 // Prints one line.  The text of a file name need not be UTF-8.
 void print_line(const Json &object);
+
+// Prints {"status", "count", "blobs": [...]} as one line, blob by blob: a frame
+// may hold four million of them.
+void print_blobs(ocel_status_t status, const std::vector<ocel_blob_t> &blobs);
 
 // The exit code for an answer; InputError when `status` says that the library
 // was called wrongly, which no input should bring about.
