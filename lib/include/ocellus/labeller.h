@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The labeller's memory: what one frame's labelling keeps, with the derivation
+ * of every size.  The types are complete so that the caller can own them;
+ * label.h has the functions that read them.
+ *
+ * The sweep goes over a row from left to right.  Left of it stand the runs of
+ * this row that are finished, right of it the runs of the row above that wait
+ * for their children: the frontier, one list of runs in order of their columns.
+ * A run hands its place in the list to its child, so that what goes straight
+ * down costs no bookkeeping; where runs meet a place is given up, where a run
+ * splits one is made.
+ */
+#ifndef OCELLUS_LABELLER_H
+#define OCELLUS_LABELLER_H
+
+#include <stdint.h>
+
+#include <ocellus/config.h>
+#include <ocellus/types.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Sums of x^2 over a whole frame: width^3 / 3 * height.  32 bits hold them up
+ * to 320x240 (2.61e9); a larger configuration takes 64. */
+#if ((OCEL_MAX_WIDTH <= 320) && (OCEL_MAX_HEIGHT <= 240))
+#define OCEL_MOMENT_BITS 32
+typedef uint32_t ocel_moment_t;
+#else
+#define OCEL_MOMENT_BITS 64
+typedef uint64_t ocel_moment_t;
+#endif
+
+/* Labels in use at once: at most OCEL_MAX_RUNS + 1.
+ *
+ * A label is in use from the run that made it until its component has ended or,
+ * when it was merged into another, until the end of that row.  Look at the row
+ * when run C asks for a label: C touches no run above.  An older label in use
+ * has a run P above that a run D of this row has touched, or one that waits
+ * right of C; otherwise its last run would have retired and freed it.  Give
+ * each label in use a column:
+ *   made in this row by run N (C is one of these): the start of N;
+ *   older, P touched by D:  reach 1: the start of P; reach 0: a column of both;
+ *   older, P waiting:       the start of P.
+ * Reach 1: N is two columns or more from any P, and runs of one row are two
+ * apart, so all the columns are: a row has at most OCEL_MAX_RUNS such columns.
+ * Reach 0: the same holds but between C itself and the first P waiting, which
+ * may be neighbours.  The columns up to C's start are two apart, and those
+ * right of it are: (i + 1) / 2 + (j + 1) / 2 with i + j <= width, at most
+ * OCEL_MAX_RUNS + 1. */
+#define OCEL_MAX_LABELS (OCEL_MAX_RUNS + 1)
+
+/* Places in the frontier: the runs of this row up to the sweep, and the runs
+ * above that none of them touches.  Their starts are columns as above, so there
+ * are at most OCEL_MAX_RUNS + 1; and place 0, the list's end. */
+#define OCEL_FRONTIER_RUNS (OCEL_MAX_RUNS + 2)
+
+/* The frontier, a column for each member so that one index reaches them all. */
+typedef struct {
+    uint16_t start[OCEL_FRONTIER_RUNS]; /* the first pixel */
+    uint16_t end[OCEL_FRONTIER_RUNS];   /* it touches runs below that start before this */
+    uint16_t label[OCEL_FRONTIER_RUNS];
+    uint16_t head[OCEL_FRONTIER_RUNS]; /* pool cell of its left edge: a chain begins there */
+    uint16_t tail[OCEL_FRONTIER_RUNS]; /* pool cell of its right edge: a chain ends there */
+    uint16_t next[OCEL_FRONTIER_RUNS]; /* to the right; next free when free */
+} ocel_frontier_t;
+
+/* The sums of a component.  32 bytes at 320x240. */
+typedef struct {
+    ocel_moment_t sum_x;
+    ocel_moment_t sum_y;
+    ocel_moment_t sum_xx;
+    ocel_moment_t sum_xy;
+    ocel_moment_t sum_yy;
+    uint32_t area;
+    uint32_t first; /* its first pixel in raster order: row * 65536 + column */
+    uint16_t left;  /* its columns */
+    uint16_t end;   /* one past the last */
+} ocel_component_t;
+
+/* High-water marks and operation counts of one frame: what the bounds above are
+ * checked against. */
+typedef struct {
+    uint32_t runs;       /* <= height * OCEL_MAX_RUNS */
+    uint32_t unions;     /* <= runs: every union ends a label, every label has a first run */
+    uint32_t components; /* that have ended */
+    uint16_t labels_max; /* <= OCEL_MAX_LABELS */
+    uint16_t cracks_max; /* <= OCEL_MAX_CRACKS */
+} ocel_label_stats_t;
+
+/* The free cells of the boundary pool: a list, and the cells never used yet. */
+typedef struct {
+    uint16_t free;  /* first of the list */
+    uint16_t fresh; /* cells used so far: those from here on were never used */
+} ocel_crack_ledger_t;
+
+/* The boundary pool.  While a frame is labelled a cell is a vertical crack of a
+ * chain: x_hpx holds its column and side, y_hpx the link to the next cell
+ * (crack.h).  Afterwards the cells hold the winner's boundary, in order. */
+typedef struct {
+    ocel_crack_t cell[OCEL_MAX_CRACKS];
+} ocel_crack_pool_t;
+
+/* One frame's labelling.  No pointers inside: it may be copied, with its pool,
+ * while a frame is in hand, and the copy goes on by itself. */
+typedef struct {
+    ocel_frontier_t frontier;
+    uint16_t parent[OCEL_MAX_LABELS]; /* union-find: itself when a root; next free when free */
+    uint16_t live[OCEL_MAX_LABELS];   /* root: its runs in the frontier, and a flag (label.c) */
+    ocel_component_t component[OCEL_MAX_LABELS];
+    ocel_component_t best; /* the largest that has ended, when its area is not 0 */
+    ocel_label_stats_t stats;
+    ocel_crack_ledger_t ledger;
+    uint16_t best_bottom; /* its last row */
+    uint16_t best_head;   /* its boundary: first and last cell */
+    uint16_t best_tail;
+    uint16_t width;
+    uint16_t height;
+    uint16_t next_row;
+    uint16_t state;
+    uint16_t reach; /* 1: 8-connected, 0: 4-connected */
+    uint16_t free_run;
+    uint16_t fresh_run;
+    uint16_t free_label;
+    uint16_t merged_label; /* labels merged away in this row, linked through live */
+} ocel_labeller_t;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
