@@ -14,8 +14,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "accuracy/report.h"
 #include "fit_support.h"
-#include "report.h"
 #include "rng.h"
 
 namespace {

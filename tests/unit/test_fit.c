@@ -412,13 +412,13 @@ static void test_closed(void) {
     const size_t count = draw_disc_cracks(70.2, 70.6, 40.0);
     for (size_t m = 0; m < METHODS; m++) {
         ocel_fit_options_t options = with(METHOD[m]);
-        ocel_ellipse_t open;
+        ocel_ellipse_t measured;
         ocel_ellipse_t closed;
-        TEST_ASSERT_EQUAL(OCEL_OK, ocel_fit_cracks(cracks, count, &options, &open));
+        TEST_ASSERT_EQUAL(OCEL_OK, ocel_fit_cracks(cracks, count, &options, &measured));
         options.closed = true;
         TEST_ASSERT_EQUAL(OCEL_OK, ocel_fit_cracks(cracks, count, &options, &closed));
-        TEST_ASSERT_EQUAL_UINT32(65536, open.arc_coverage_q16);
-        TEST_ASSERT_TRUE(fit_same_bits(&open, &closed));
+        TEST_ASSERT_EQUAL_UINT32(65536, measured.arc_coverage_q16);
+        TEST_ASSERT_TRUE(fit_same_bits(&measured, &closed));
         TEST_ASSERT_EQUAL(OCEL_OK, ocel_fit_cracks(cracks, count / 2U, &options, &closed));
         TEST_ASSERT_EQUAL_UINT32(65536, closed.arc_coverage_q16);
     }
