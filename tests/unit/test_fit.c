@@ -321,18 +321,18 @@ static uint32_t centres_apart(const ocel_ellipse_t *p, const ocel_ellipse_t *q) 
 static ocel_status_t status_by_the_rule(const ocel_ellipse_t *e, size_t count) {
     const ocel_fit_options_t options =
         with((e->method == OCEL_FIT_HYPER) ? OCEL_FIT_B2AC : OCEL_FIT_HYPER);
-    ocel_ellipse_t other;
+    ocel_ellipse_t second;
     if (e->arc_coverage_q16 >= 20U * 2048U) {
         return OCEL_OK;
     }
-    if (!fit_has_ellipse(ocel_fit_points(points, count, &options, &other))) {
+    if (!fit_has_ellipse(ocel_fit_points(points, count, &options, &second))) {
         return OCEL_PARTIAL;
     }
-    const ocel_ellipse_t *unbiased = (e->method == OCEL_FIT_HYPER) ? e : &other;
+    const ocel_ellipse_t *unbiased = (e->method == OCEL_FIT_HYPER) ? e : &second;
     const uint32_t b = (uint32_t)unbiased->b_px_q16;
     const bool known =
         (unbiased->arc_coverage_q16 >= 11U * 2048U) || (unbiased->centre_sigma_px_q16 <= b / 20U);
-    return (known && (centres_apart(e, &other) <= 2U * (b / 20U))) ? OCEL_OK : OCEL_PARTIAL;
+    return (known && (centres_apart(e, &second) <= 2U * (b / 20U))) ? OCEL_OK : OCEL_PARTIAL;
 }
 
 /* Too short an arc for its noise: an estimate, not vouched for, that says how
