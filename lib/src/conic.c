@@ -188,9 +188,9 @@ static int64_t projection_q58(const ocel_scatter_t *scatter, const ocel_conic_t 
 }
 
 /* value * inverse * 2^down in the value's format, saturated to LINEAR_MAX. */
-static int64_t solved(int64_t value, const ocel_scaled_t *inverse, int32_t up) {
-    const int64_t product = ocel_mul_q60(value, inverse->y_q60);
-    const int32_t shift = inverse->e + up;
+static int64_t solved(int64_t value, ocel_scaled_t inverse, int32_t up) {
+    const int64_t product = ocel_mul_q60(value, inverse.y_q60);
+    const int32_t shift = inverse.e + up;
     int64_t result = 0;
 
     if ((shift > 0) && (ocel_abs64(product) >= ((uint64_t)LINEAR_MAX_Q48 >> (uint32_t)shift))) {
@@ -207,14 +207,14 @@ ocel_status_t ocel_conic_linear(const ocel_scatter_t *scatter, ocel_conic_t *con
     const int64_t x_part = projection_q58(scatter, conic, (uint32_t)OCEL_S_X);
     bool small;
 
-    conic->e_q48 = -solved(y_part, &scatter->inverse[OCEL_S_Y], -10);
+    conic->e_q48 = -solved(y_part, ocel_scatter_inverse(scatter, OCEL_S_Y), -10);
     small = ocel_abs64(conic->e_q48) < (uint64_t)LINEAR_MAX_Q48;
     if (small) {
         const int64_t rest =
             ocel_shift_round64(x_part, 10U) +
             ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_X)], conic->e_q48);
 
-        conic->d_q48 = -solved(rest, &scatter->inverse[OCEL_S_X], 0);
+        conic->d_q48 = -solved(rest, ocel_scatter_inverse(scatter, OCEL_S_X), 0);
         small = ocel_abs64(conic->d_q48) < (uint64_t)LINEAR_MAX_Q48;
     }
     return small ? OCEL_OK : OCEL_NOT_AN_ELLIPSE;

@@ -43,15 +43,16 @@ static ocel_status_t check(bool present, size_t count, const ocel_fit_options_t 
 }
 
 /* Moments of the points as they are: by exact sums where those fit. */
-static ocel_status_t moments_of(const ocel_source_t *source, ocel_moments_t *moments) {
+static ocel_status_t moments_of(const ocel_source_t *source, ocel_moments_t *moments,
+                                ocel_frame_t *frame) {
     ocel_status_t status = OCEL_OK;
     bool exact = false;
 
     if (source->points == NULL) {
-        exact = ocel_moments_of_cracks(source->cracks, source->count, moments);
+        exact = ocel_moments_of_cracks(source->cracks, source->count, moments, frame);
     }
     if (!exact) {
-        status = ocel_moments_of_source(source, false, moments);
+        status = ocel_moments_of_source(source, false, moments, frame);
     }
     return status;
 }
@@ -61,7 +62,7 @@ static ocel_status_t direct(const ocel_source_t *source, bool auto_perturb,
                             ocel_solution_t *solution, bool *unstable) {
     ocel_moments_t moments;
     int64_t eigenvalue = 0;
-    ocel_status_t status = moments_of(source, &moments);
+    ocel_status_t status = moments_of(source, &moments, &solution->frame);
 
     if (status == OCEL_OK) {
         status = ocel_fit_direct(&moments, solution, &eigenvalue);
@@ -74,7 +75,7 @@ static ocel_status_t direct(const ocel_source_t *source, bool auto_perturb,
 static ocel_status_t perturbed(const ocel_source_t *source, ocel_solution_t *solution) {
     ocel_moments_t moments;
     int64_t eigenvalue;
-    ocel_status_t status = ocel_moments_of_source(source, true, &moments);
+    ocel_status_t status = ocel_moments_of_source(source, true, &moments, &solution->frame);
 
     if (status == OCEL_OK) {
         status = ocel_fit_direct(&moments, solution, &eigenvalue);
@@ -84,11 +85,10 @@ static ocel_status_t perturbed(const ocel_source_t *source, ocel_solution_t *sol
 
 static ocel_status_t hyper(const ocel_source_t *source, ocel_solution_t *solution) {
     ocel_moments_t moments;
-    ocel_status_t status = moments_of(source, &moments);
+    ocel_status_t status = moments_of(source, &moments, &solution->frame);
 
     if (status == OCEL_OK) {
-        solution->frame = moments.frame;
-        status = ocel_conic_hyper(&moments, &solution->spread, &solution->conic);
+        status = ocel_conic_hyper(&moments, &solution->frame, &solution->spread, &solution->conic);
     }
     return status;
 }

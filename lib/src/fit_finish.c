@@ -56,7 +56,6 @@ ocel_status_t ocel_fit_direct(const ocel_moments_t *moments, ocel_solution_t *so
     ocel_scatter_t scatter;
 
     *eigenvalue_q60 = 0;
-    solution->frame = moments->frame;
     if (ocel_scatter_reduce(moments, &scatter, &solution->spread)) {
         status = ocel_conic_b2ac(&scatter, &solution->conic, eigenvalue_q60);
     }

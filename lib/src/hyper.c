@@ -85,16 +85,16 @@ static void normalise_vector(vector_t *v) {
 
 /* v[i] <- rest / L[i][i].  The whole vector, solved and unsolved parts alike,
  * is scaled down as far as the new element needs to stay below 2^57. */
-static void divide_element(vector_t *v, uint32_t i, int64_t rest, const ocel_scaled_t *inverse) {
-    const int64_t product = ocel_mul_q60(rest, inverse->y_q60);
-    const int32_t over = (bits_of(product) + inverse->e) - (VECTOR_BITS - 1);
+static void divide_element(vector_t *v, uint32_t i, int64_t rest, ocel_scaled_t inverse) {
+    const int64_t product = ocel_mul_q60(rest, inverse.y_q60);
+    const int32_t over = (bits_of(product) + inverse.e) - (VECTOR_BITS - 1);
     const int32_t down = (over > 0) ? over : 0;
 
     v->t[i] = 0;
     if (down > 0) {
         scale_vector(v, -down);
     }
-    v->t[i] = ocel_scale_q60(product, inverse->e - down);
+    v->t[i] = ocel_scale_q60(product, inverse.e - down);
 }
 
 /* v <- (L L')^-1 v up to scale, L the factor of the covariance. */
@@ -108,7 +108,7 @@ static void solve(const ocel_scatter_t *scatter, vector_t *v) {
         for (k = 0U; k < i; k++) { /* bound: SIZE */
             rest -= ocel_mul_q60(scatter->a_q60[ocel_scatter_at(i + 1U, k + 1U)], v->t[k]);
         }
-        divide_element(v, i, rest, &scatter->inverse[i + 1U]);
+        divide_element(v, i, rest, ocel_scatter_inverse(scatter, i + 1U));
     }
     for (i = SIZE; i > 0U; i--) { /* bound: SIZE */
         int64_t rest = v->t[i - 1U];
@@ -116,42 +116,59 @@ static void solve(const ocel_scatter_t *scatter, vector_t *v) {
         for (k = i; k < SIZE; k++) { /* bound: SIZE */
             rest -= ocel_mul_q60(scatter->a_q60[ocel_scatter_at(k + 1U, i)], v->t[k]);
         }
-        divide_element(v, i - 1U, rest, &scatter->inverse[i]);
+        divide_element(v, i - 1U, rest, ocel_scatter_inverse(scatter, i));
     }
     normalise_vector(v);
 }
 
+/* Where the gradient's components, linear in (1, x, y), take their coefficients:
+ * d/dx = (D, 2A, B), d/dy = (E, B, 2C). */
+static const uint8_t in_dx[3] = {AT_X, AT_XX, AT_XY};
+static const uint8_t in_dy[3] = {AT_Y, AT_XY, AT_YY};
+
+static int64_t gradient(const vector_t *v, const uint8_t *in, uint32_t k) {
+    const uint32_t at = in[k];
+
+    return ((at == AT_XX) || (at == AT_YY)) ? (2 * v->t[at]) : v->t[at];
+}
+
 /* v <- N_T v, N_T = mean of J S J' with J the gradients of the monomials and
- * S = [p q; q r].  The gradient's two components are linear in (1, x, y):
- *   d/dx = (D, 2A, B),  d/dy = (E, B, 2C),
- * so N_T v mixes them by S, applies the second moments, and goes back.  With
- * |v| <= 1/4 and S <= 1/8 the mixtures are below 1/8, the result below 3/2. */
-static void apply_metric(const metric_t *n, vector_t *v) {
+ * S = [p q; q r]: mixes the gradient's two components by S, applies the second
+ * moments of (1, x, y), and goes back.  With
+ * |v| <= 1/4 and S <= 1/8 the mixtures are below 1/8, the result below 3/2.
+ * Returns v' N_T v, of v as it was. */
+static int64_t apply_metric(const metric_t *n, vector_t *v) {
     /* The second moments of 1, x, y. */
     static const uint8_t place[3][3] = {{OCEL_M_1, OCEL_M_X, OCEL_M_Y},
                                         {OCEL_M_X, OCEL_M_XX, OCEL_M_XY},
                                         {OCEL_M_Y, OCEL_M_XY, OCEL_M_YY}};
-    const int64_t dx[3] = {v->t[AT_X], 2 * v->t[AT_XX], v->t[AT_XY]};
-    const int64_t dy[3] = {v->t[AT_Y], v->t[AT_XY], 2 * v->t[AT_YY]};
     int64_t gx[3] = {0, 0, 0};
     int64_t gy[3] = {0, 0, 0};
+    int64_t form = 0;
     uint32_t i;
     uint32_t k;
 
     for (k = 0U; k < 3U; k++) { /* bound: 3 */
-        const int64_t mx = ocel_mul_q60(n->p, dx[k]) + ocel_mul_q60(n->q, dy[k]);
-        const int64_t my = ocel_mul_q60(n->q, dx[k]) + ocel_mul_q60(n->r, dy[k]);
+        const int64_t dx = gradient(v, in_dx, k);
+        const int64_t dy = gradient(v, in_dy, k);
+        const int64_t mx = ocel_mul_q60(n->p, dx) + ocel_mul_q60(n->q, dy);
+        const int64_t my = ocel_mul_q60(n->q, dx) + ocel_mul_q60(n->r, dy);
 
         for (i = 0U; i < 3U; i++) { /* bound: 3 */
             gx[i] += ocel_mul_q60(n->m_q60[place[i][k]], mx);
             gy[i] += ocel_mul_q60(n->m_q60[place[i][k]], my);
         }
     }
+    for (k = 0U; k < 3U; k++) { /* bound: 3 */
+        form +=
+            ocel_mul_q60(gradient(v, in_dx, k), gx[k]) + ocel_mul_q60(gradient(v, in_dy, k), gy[k]);
+    }
     v->t[AT_X] = gx[0];
     v->t[AT_Y] = gy[0];
     v->t[AT_XX] = 2 * gx[1];
     v->t[AT_XY] = gx[2] + gy[1];
     v->t[AT_YY] = 2 * gy[2];
+    return form;
 }
 
 /* t' cov t = |L' t|^2. */
@@ -213,17 +230,9 @@ static ocel_status_t conic_of(const vector_t *v, ocel_conic_t *conic, ocel_scale
 
 /* lambda = (t' cov t) / (t' N t), the noise's variance in the metric's unit; a
  * value of 1 or more, noise as large as the figure, is refused. */
-static bool variance_q60(int64_t residual, const metric_t *n, const vector_t *v, int64_t *lambda) {
-    vector_t nv = *v;
-    int64_t gradient = 0;
-    bool usable;
-    uint32_t i;
+static bool variance_q60(int64_t residual, int64_t gradient, int64_t *lambda) {
+    const bool usable = (residual >= 0) && (gradient > residual);
 
-    apply_metric(n, &nv);
-    for (i = 0U; i < SIZE; i++) { /* bound: SIZE */
-        gradient += ocel_mul_q60(nv.t[i], v->t[i]);
-    }
-    usable = (residual >= 0) && (gradient > residual);
     if (usable) {
         ocel_scaled_t inverse;
 
@@ -234,21 +243,20 @@ static bool variance_q60(int64_t residual, const metric_t *n, const vector_t *v,
 }
 
 /* The polynomial's mean over the points that makes the fit unbiased, and its
- * mean square. */
-static ocel_status_t finish_conic(const ocel_scatter_t *scatter, const metric_t *n,
-                                  const vector_t *v, ocel_conic_t *conic) {
+ * mean square.  Uses v up. */
+static ocel_status_t finish_conic(const ocel_scatter_t *scatter, const metric_t *n, vector_t *v,
+                                  ocel_conic_t *conic) {
     const int64_t residual = residual_q60(scatter, v);
+    const int64_t bias = ocel_mul_q60(n->p, v->t[AT_XX]) + ocel_mul_q60(n->q, v->t[AT_XY]) +
+                         ocel_mul_q60(n->r, v->t[AT_YY]);
     ocel_scaled_t inverse;
     int64_t lambda;
     ocel_status_t status = conic_of(v, conic, &inverse);
 
-    if ((status == OCEL_OK) && (!variance_q60(residual, n, v, &lambda))) {
+    if ((status == OCEL_OK) && (!variance_q60(residual, apply_metric(n, v), &lambda))) {
         status = OCEL_NOT_AN_ELLIPSE;
     }
     if (status == OCEL_OK) {
-        const int64_t bias = ocel_mul_q60(n->p, v->t[AT_XX]) + ocel_mul_q60(n->q, v->t[AT_XY]) +
-                             ocel_mul_q60(n->r, v->t[AT_YY]);
-
         conic->mean_q60 = over(ocel_mul_q60(lambda, bias), &inverse, 0);
         conic->energy.y_q60 = ocel_mul_q60(residual, ocel_mul_q60(inverse.y_q60, inverse.y_q60));
         conic->energy.e = 2 * inverse.e;
@@ -256,8 +264,8 @@ static ocel_status_t finish_conic(const ocel_scatter_t *scatter, const metric_t 
     return status;
 }
 
-ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, ocel_spread_t *spread,
-                               ocel_conic_t *conic) {
+ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, const ocel_frame_t *frame,
+                               ocel_spread_t *spread, ocel_conic_t *conic) {
     ocel_scatter_t scatter;
     ocel_status_t status = OCEL_DEGENERATE;
 
@@ -266,10 +274,10 @@ ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, ocel_spread_t *spr
         metric_t n;
         uint32_t i;
 
-        noise_metric(&moments->frame, &n);
+        noise_metric(frame, &n);
         n.m_q60 = moments->m_q60;
         for (i = 0U; i < POWER_STEPS; i++) { /* bound: POWER_STEPS */
-            apply_metric(&n, &v);
+            (void)apply_metric(&n, &v);
             solve(&scatter, &v);
         }
         status = finish_conic(&scatter, &n, &v, conic);

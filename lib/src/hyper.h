@@ -19,7 +19,7 @@
  * p, q, r the noise's covariance in the frame (DESIGN.md derives it).
  * Writes the spread of the points too.
  * OCEL_OK, OCEL_DEGENERATE, OCEL_NOT_AN_ELLIPSE. */
-ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, ocel_spread_t *spread,
-                               ocel_conic_t *conic);
+ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, const ocel_frame_t *frame,
+                               ocel_spread_t *spread, ocel_conic_t *conic);
 
 #endif

@@ -46,7 +46,6 @@ typedef struct {
 
 typedef struct {
     int64_t m_q60[OCEL_M_COUNT]; /* sums divided by 2^ceil(log2 n): |.| <= 1.01 */
-    ocel_frame_t frame;
 } ocel_moments_t;
 
 /* Points to be read, of one kind or the other. */
@@ -83,12 +82,13 @@ static inline ocel_pair_t ocel_source_px_q16(const ocel_source_t *source, size_t
  * False, and nothing usable, when the sums might not fit: the squared offsets
  * from the point midway between the first and the middle crack sum to 2^31
  * half pixels squared or more (discs of R > 512 px). */
-bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_moments_t *moments);
+bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_moments_t *moments,
+                            ocel_frame_t *frame);
 
 /* Moments of any points by 128-bit sums, sheared so that x and y do not
  * correlate; `perturb` applies the LCSE perturbation in Maini's frame instead.
  * OCEL_OK, OCEL_DEGENERATE (no width or no height), OCEL_OUT_OF_RANGE. */
 ocel_status_t ocel_moments_of_source(const ocel_source_t *source, bool perturb,
-                                     ocel_moments_t *moments);
+                                     ocel_moments_t *moments, ocel_frame_t *frame);
 
 #endif

@@ -93,7 +93,8 @@ static uint32_t exponent(uint64_t sum_4, uint32_t en) {
     return (bits > en) ? (((bits - en) + 3U) / 4U) : 0U;
 }
 
-bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_moments_t *moments) {
+bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_moments_t *moments,
+                            ocel_frame_t *frame) {
     const ocel_crack_t *const first = &cracks[0];
     const ocel_crack_t *const middle = &cracks[count / 2U];
     const int32_t x0 = ocel_asr32((int32_t)first->x_hpx + middle->x_hpx, 1U);
@@ -114,9 +115,9 @@ bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_momen
 
             sum[i] = ocel_scale_q60(sum[i], 60 - (int32_t)down);
         }
-        moments->frame.x0_px_q24 = (int64_t)x0 * ((int64_t)1 << 23U);
-        moments->frame.y0_px_q24 = (int64_t)y0 * ((int64_t)1 << 23U);
-        frame_of_powers(&moments->frame, ex + 16U, ey + 16U);
+        frame->x0_px_q24 = (int64_t)x0 * ((int64_t)1 << 23U);
+        frame->y0_px_q24 = (int64_t)y0 * ((int64_t)1 << 23U);
+        frame_of_powers(frame, ex + 16U, ey + 16U);
     }
     return exact;
 }

@@ -131,43 +131,46 @@ static ocel_pair_t framed_point(const ocel_source_t *source, const normal_t *nor
     return p;
 }
 
-/* The monomials of a point, Q60, from the second order on as products of two
- * of lower order; each below 1.01. */
-static void monomials(ocel_pair_t p, int64_t *v) {
-    static const uint8_t left[OCEL_M_COUNT] = {
-        0,         0,         0,         0,         0,         0,         OCEL_M_XX, OCEL_M_XX,
-        OCEL_M_YY, OCEL_M_YY, OCEL_M_XX, OCEL_M_XX, OCEL_M_XX, OCEL_M_YY, OCEL_M_YY};
-    static const uint8_t right[OCEL_M_COUNT] = {
-        0,        0,        0,         0,         0,         0,         OCEL_M_X, OCEL_M_Y,
-        OCEL_M_X, OCEL_M_Y, OCEL_M_XX, OCEL_M_XY, OCEL_M_YY, OCEL_M_XY, OCEL_M_YY};
-    uint32_t k;
+/* Monomials up to the second order, Q60; the places of OCEL_M_*. */
+#define LOW_COUNT ((uint32_t)OCEL_M_XXX)
 
+static void low_monomials(ocel_pair_t p, int64_t *v) {
     v[OCEL_M_1] = OCEL_Q60_ONE;
     v[OCEL_M_X] = ocel_shl64(p.x, UNIT_BITS);
     v[OCEL_M_Y] = ocel_shl64(p.y, UNIT_BITS);
     v[OCEL_M_XX] = p.x * p.x;
     v[OCEL_M_XY] = p.x * p.y;
     v[OCEL_M_YY] = p.y * p.y;
-    for (k = OCEL_M_XXX; k < (uint32_t)OCEL_M_COUNT; k++) { /* bound: OCEL_M_COUNT */
-        v[k] = ocel_mul_q60(v[left[k]], v[right[k]]);
-    }
+}
+
+/* Monomial k, each below 1.01: from the third order on the product of two lower
+ * ones. */
+static int64_t monomial(const int64_t *v, uint32_t k) {
+    static const uint8_t left[OCEL_M_COUNT] = {
+        0,         0,         0,         0,         0,         0,         OCEL_M_XX, OCEL_M_XX,
+        OCEL_M_YY, OCEL_M_YY, OCEL_M_XX, OCEL_M_XX, OCEL_M_XX, OCEL_M_YY, OCEL_M_YY};
+    static const uint8_t right[OCEL_M_COUNT] = {
+        0,        0,        0,         0,         0,         0,         OCEL_M_X, OCEL_M_Y,
+        OCEL_M_X, OCEL_M_Y, OCEL_M_XX, OCEL_M_XY, OCEL_M_YY, OCEL_M_XY, OCEL_M_YY};
+
+    return (k < LOW_COUNT) ? v[k] : ocel_mul_q60(v[left[k]], v[right[k]]);
 }
 
 /* Sums over all points, each divided by 2^ceil(log2 count), in Q60.  Every term
  * is rounded to that quotient's LSB, so a sum of n is off by less than
  * n LSB / 2: 2^-47 for the most points there may be, 2^-52 for 500. */
 static void sum_source(const ocel_source_t *source, const normal_t *normal, int64_t *m_q60) {
-    const uint32_t en = ocel_ceil_log2(source->count);
+    const int32_t down = -(int32_t)ocel_ceil_log2(source->count);
     size_t i;
 
     (void)memset(m_q60, 0, sizeof(int64_t) * (size_t)OCEL_M_COUNT);
     for (i = 0U; i < source->count; i++) { /* bound: count <= OCEL_MAX_FIT_POINTS */
-        int64_t v[OCEL_M_COUNT];
+        int64_t v[OCEL_M_XXX];
         uint32_t k;
 
-        monomials(framed_point(source, normal, i), v);
+        low_monomials(framed_point(source, normal, i), v);
         for (k = 0U; k < (uint32_t)OCEL_M_COUNT; k++) { /* bound: OCEL_M_COUNT */
-            m_q60[k] += ocel_scale_q60(v[k], -(int32_t)en);
+            m_q60[k] += ocel_scale_q60(monomial(v, k), down);
         }
     }
 }
@@ -220,7 +223,7 @@ static bool within_range(const span_t *span) {
 }
 
 ocel_status_t ocel_moments_of_source(const ocel_source_t *source, bool perturb,
-                                     ocel_moments_t *moments) {
+                                     ocel_moments_t *moments, ocel_frame_t *frame) {
     const span_t span = span_of_source(source);
     ocel_status_t status = OCEL_OK;
 
@@ -237,7 +240,7 @@ ocel_status_t ocel_moments_of_source(const ocel_source_t *source, bool perturb,
             fill_unit(source, &normal);
         }
         sum_source(source, &normal, moments->m_q60);
-        frame_of_sides(&moments->frame, &normal);
+        frame_of_sides(frame, &normal);
     }
     return status;
 }

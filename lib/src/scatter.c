@@ -17,19 +17,21 @@ bool ocel_scatter_eliminate(ocel_scatter_t *scatter, uint32_t k, int64_t least_q
     const bool independent = (*diagonal >= least_q60);
 
     if (independent) {
-        ocel_scaled_t *const inverse = &scatter->inverse[k];
+        ocel_scaled_t inverse;
         int64_t *row = diagonal - k;
-        int64_t column[OCEL_S_COUNT];
         uint32_t i;
 
-        ocel_rsqrt_q60((uint64_t)*diagonal, &inverse->y_q60, &inverse->e);
+        ocel_rsqrt_q60((uint64_t)*diagonal, &inverse.y_q60, &inverse.e);
+        scatter->inverse_q60[k] = inverse.y_q60;
+        scatter->inverse_e[k] = (int8_t)inverse.e;
         for (i = k; i < (uint32_t)OCEL_S_COUNT; i++) { /* bound: OCEL_S_COUNT */
+            const int64_t *other = diagonal;           /* column k, from row k + 1 down */
             uint32_t j;
 
-            column[i] = ocel_scale_q60(ocel_mul_q60(row[k], inverse->y_q60), inverse->e);
-            row[k] = column[i];
+            row[k] = ocel_scale_q60(ocel_mul_q60(row[k], inverse.y_q60), inverse.e);
             for (j = k + 1U; j <= i; j++) { /* bound: OCEL_S_COUNT */
-                row[j] -= ocel_mul_q60(column[i], column[j]);
+                other += j;
+                row[j] -= ocel_mul_q60(row[k], *other);
             }
             row += i + 1U; /* the next row of the triangle */
         }
@@ -40,8 +42,8 @@ bool ocel_scatter_eliminate(ocel_scatter_t *scatter, uint32_t k, int64_t least_q
 /* Mean and covariance, when the constant's column has been eliminated:
  * L[1][1] = sqrt(weight), L[x][1] = weighted mean / sqrt(weight). */
 static void read_spread(const ocel_scatter_t *scatter, ocel_spread_t *spread) {
-    const ocel_scaled_t *const inverse = &scatter->inverse[OCEL_S_1];
-    const int64_t root = ocel_scale_q60(inverse->y_q60, inverse->e); /* in [1, 1.42] */
+    const ocel_scaled_t inverse = ocel_scatter_inverse(scatter, OCEL_S_1);
+    const int64_t root = ocel_scale_q60(inverse.y_q60, inverse.e); /* in [1, 1.42] */
     const int64_t weight = ocel_mul_q60(root, root);
 
     spread->inverse_weight = weight;
