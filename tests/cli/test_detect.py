@@ -141,7 +141,8 @@ class Teaching(DetectTest):
         self.assertEqual(answer.lines[0]["colour"], answer.lines[1]["colour"])
 
     def test_bad_rectangles(self):
-        for text in ("1,2,3", "a,b,c,d", "1,2,0,5", "-1,2,3,4", "1,2,3,4,5", "1 2 3 4", "1.5,2,9,9"):
+        for text in ("1,2,3", "a,b,c,d", "1,2,0,5", "-1,2,3,4", "1,2,3,4,5", "1 2 3 4",
+                     "1.5,2,9,9"):
             self.assert_refused(self.run_program("detect", f"--teach={text}", "ball.png"),
                                 "--teach", "expected x,y,w,h")
         self.assert_refused(self.run_program("detect", "--teach", "150,50,11,16", "ball.png"),
