@@ -2,38 +2,28 @@
  *
  * Bounds around a range of one space in the channels of another: necessary,
  * cheap to test, and never tighter than the range.  The line tests reject by
- * them what they can and decide the rest exactly.
+ * them what they can; what they pass is decided exactly.
  */
 #ifndef OCEL_BOUNDS_H
 #define OCEL_BOUNDS_H
 
 #include <stdint.h>
 
-/* Channel k of every pixel in range is within lo[k] .. hi[k], both included.
- * Within 0..255 when made here; lo > hi when no pixel can be in range. */
+/* Channel k of every pixel in range is within lo[k] .. hi[k], both included and
+ * within 0..255; lo > hi when no pixel can be in range. */
 typedef struct {
-    int32_t lo[3];
-    int32_t hi[3];
+    uint16_t lo[3];
+    uint16_t hi[3];
 } ocel_bounds_t;
 
-/* Channel `above` of every RGB pixel in range exceeds channel `below` by at
- * least `least`: what colour is and grey is not.  least 0 says nothing. */
-typedef struct {
-    uint32_t above; /* 0..2 for R, G, B */
-    uint32_t below;
-    int32_t least; /* 0..255 */
-} ocel_lead_t;
+/* Of a range in HSV, whose lo and hi are as in ocel_colour_range_t, makes bounds
+ * of R, G and B. */
+void ocel_bounds_hsv_to_rgb(ocel_bounds_t *bounds);
 
-/* R, G, B of the pixels whose grey is lo .. hi. */
-ocel_bounds_t ocel_bounds_of_gray(uint32_t lo, uint32_t hi);
+/* Of bounds of Y, U and V makes bounds of R, G and B. */
+void ocel_bounds_yuv_to_rgb(ocel_bounds_t *bounds);
 
-/* R, G, B of the pixels in an HSV range, which is as in ocel_colour_range_t. */
-ocel_bounds_t ocel_bounds_of_hsv(const uint16_t lo[3], const uint16_t hi[3], ocel_lead_t *lead);
-
-/* R, G, B of the pixels whose Y, U, V are within lo .. hi. */
-ocel_bounds_t ocel_bounds_of_yuv(const uint16_t lo[3], const uint16_t hi[3], ocel_lead_t *lead);
-
-/* Y, U, V of the pixels that convert to an R, G, B within bounds. */
-ocel_bounds_t ocel_bounds_to_yuv(const ocel_bounds_t *rgb);
+/* Of bounds of R, G and B makes bounds of the Y, U, V that convert to these. */
+void ocel_bounds_rgb_to_yuv(ocel_bounds_t *bounds);
 
 #endif

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * From camera lines to bits, eight pixels at a time.
+ * From camera lines to bits.
  *
- * A line is gone through twice at most.  The test passes every pixel in range
- * and, eight at a time in one 64-bit word, rejects nearly all others: by bounds
- * of the channels, the most selective first, or by how much one channel leads
- * another.  Where the bounds are not the range itself, what passed is then
- * decided exactly.  RGB565 needs neither: its table is the range.
+ * The test of a line passes every pixel in range and, several at a time in one
+ * machine word, rejects nearly all others: by bounds of the bytes they are made
+ * of, the most selective first.  Where the bounds are not the range itself, each
+ * pixel that passed is then decided by the definition.  RGB565 needs neither:
+ * its table is the range.
  */
 #include <ocellus/colour.h>
 
@@ -15,6 +15,8 @@
 #include <string.h>
 
 #include "bounds.h"
+#include "int_math.h"
+#include "lanes.h"
 #include "pixel.h"
 #include "row16.h"
 #include "row24.h"
@@ -24,19 +26,10 @@
 #define GROUP_BYTES_MAX 24U
 
 #define RGB565_COLOURS 65536U
+#define GRAYS 256U
 
-/* ocel_colour_t.test */
-enum { TEST_NONE = 0, TEST_TABLE, TEST_ALL24, TEST_BOX24, TEST_LEAD24, TEST_YUYV, TEST_GRAY8 };
-
-/* ocel_colour_t.decision */
-enum { DECIDED = 0, DECIDE_YUV24, DECIDE_HSV24, DECIDE_YUYV };
-
-/* Below this a lead says little: then the bounds are the better test. */
-#define LEAD_MIN 8
-
-/* Bounds wider than this reject too little to be worth testing, when to decide
- * is as cheap as it is for Y, U and V. */
-#define WIDTH_MAX 192U
+/* ocel_colour_t.state of a compiled colour. */
+#define STATE_COMPILED 0xC010U
 
 size_t ocel_colour_line_bytes(ocel_format_t format, uint16_t width) {
     size_t pixel_bytes = 0U;
@@ -62,56 +55,49 @@ size_t ocel_colour_line_bytes(ocel_format_t format, uint16_t width) {
 
 /* ---- Compiling ---- */
 
+/* Of channel k; hue, with ends up to 360, may wrap. */
 static bool channel_valid(const ocel_colour_range_t *range, uint32_t k) {
-    return (range->lo[k] <= range->hi[k]) && (range->hi[k] <= 255U);
+    const bool is_hue = (range->space == OCEL_SPACE_HSV) && (k == 0U);
+    const uint32_t top = is_hue ? 360U : 255U;
+    const bool in_order = is_hue || (range->lo[k] <= range->hi[k]);
+
+    return in_order && (range->lo[k] <= top) && (range->hi[k] <= top);
 }
 
 static bool range_valid(const ocel_colour_range_t *range) {
-    bool valid = false;
+    bool valid = (range->space == OCEL_SPACE_RGB) || (range->space == OCEL_SPACE_HSV) ||
+                 (range->space == OCEL_SPACE_YUV);
 
-    switch (range->space) {
-    case OCEL_SPACE_RGB:
-    case OCEL_SPACE_YUV:
-        valid = channel_valid(range, 0U) && channel_valid(range, 1U) && channel_valid(range, 2U);
-        break;
-    case OCEL_SPACE_HSV:
-        valid = (range->lo[0] <= 360U) && (range->hi[0] <= 360U) && channel_valid(range, 1U) &&
-                channel_valid(range, 2U);
-        break;
-    case OCEL_SPACE_GRAY:
-        valid = channel_valid(range, 0U);
-        break;
-    default:
-        valid = false;
-        break;
+    for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 channels */
+        valid = valid && channel_valid(range, k);
     }
     return valid;
 }
 
+/* Grey is Y, so it is compiled as Y, U and V with the latter two left open. */
+static ocel_colour_range_t without_gray(const ocel_colour_range_t *range) {
+    ocel_colour_range_t same = *range;
+
+    if (range->space == OCEL_SPACE_GRAY) {
+        same.space = OCEL_SPACE_YUV;
+        for (uint32_t k = 1U; k < 3U; k++) { /* bound: 3 channels */
+            same.lo[k] = 0U;
+            same.hi[k] = 255U;
+        }
+    }
+    return same;
+}
+
 /* The definition of "in range", for a pixel that is given as R, G and B. */
 static bool rgb_in_range(const ocel_colour_range_t *range, const ocel_pixel_t *rgb) {
-    ocel_pixel_t yuv;
-    uint32_t gray;
     bool in = false;
 
-    switch (range->space) {
-    case OCEL_SPACE_RGB:
-        in = ocel_pixel_in_box(range->lo, range->hi, rgb);
-        break;
-    case OCEL_SPACE_HSV:
+    if (range->space == OCEL_SPACE_HSV) {
         in = ocel_pixel_in_hsv(range->lo, range->hi, rgb);
-        break;
-    case OCEL_SPACE_YUV:
-        yuv = ocel_pixel_to_yuv(rgb);
-        in = ocel_pixel_in_box(range->lo, range->hi, &yuv);
-        break;
-    case OCEL_SPACE_GRAY:
-        gray = ocel_pixel_gray(rgb);
-        in = (gray >= range->lo[0]) && (gray <= range->hi[0]);
-        break;
-    default:
-        in = false;
-        break;
+    } else if (range->space == OCEL_SPACE_YUV) {
+        in = ocel_pixel_in_yuv(range->lo, range->hi, rgb);
+    } else {
+        in = ocel_pixel_in_rgb(range->lo, range->hi, rgb);
     }
     return in;
 }
@@ -130,187 +116,97 @@ static void fill_table(ocel_colour_table_t *table, const ocel_colour_range_t *ra
     }
 }
 
-static ocel_bounds_t bounds_of_range(const ocel_colour_range_t *range) {
-    ocel_bounds_t bounds;
+/* The end of a half-open range; an empty one ends where it begins. */
+static uint32_t end_of(const ocel_bounds_t *bounds, uint32_t k) {
+    const bool empty = bounds->lo[k] > bounds->hi[k];
 
-    for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 channels */
-        bounds.lo[k] = (int32_t)range->lo[k];
-        bounds.hi[k] = (int32_t)range->hi[k];
+    return empty ? (uint32_t)bounds->lo[k] : ((uint32_t)bounds->hi[k] + 1U);
+}
+
+/* The bounds of channel k0 for bytes 0 and 1 of the lanes, of k1 for 2 and 3. */
+static void set_lanes(uint32_t lanes[4], const ocel_bounds_t *bounds, uint32_t k0, uint32_t k1) {
+    ocel_lanes_set(lanes, bounds->lo[k0], end_of(bounds, k0), bounds->lo[k1], end_of(bounds, k1));
+}
+
+/* Bounds of the range in R, G and B, or in Y, U and V. */
+static ocel_bounds_t compile_bounds(ocel_colour_t *colour, bool in_yuv) {
+    const ocel_colour_range_t *const range = &colour->range;
+    const bool from_yuv = range->space == OCEL_SPACE_YUV;
+    ocel_bounds_t bounds = {{range->lo[0], range->lo[1], range->lo[2]},
+                            {range->hi[0], range->hi[1], range->hi[2]}};
+
+    colour->exact = ((range->space != OCEL_SPACE_HSV) && (from_yuv == in_yuv)) ? 1U : 0U;
+    if (range->space == OCEL_SPACE_HSV) {
+        ocel_bounds_hsv_to_rgb(&bounds);
+    }
+    if (from_yuv && !in_yuv) {
+        ocel_bounds_yuv_to_rgb(&bounds);
+    }
+    if (in_yuv && !from_yuv) {
+        ocel_bounds_rgb_to_yuv(&bounds);
     }
     return bounds;
 }
 
-/* Bounds within 0..255, into channel order.  One empty channel empties all, as
- * 0 <= v < 0, which the lane tests never pass. */
-static void set_bounds(ocel_colour_t *colour, const ocel_bounds_t *bounds) {
-    bool empty = false;
-
-    for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 channels */
-        empty = empty || (bounds->lo[k] > bounds->hi[k]);
-    }
-    for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 channels */
-        colour->begin[k] = empty ? 0U : (uint16_t)bounds->lo[k];
-        colour->end[k] = empty ? 0U : (uint16_t)(bounds->hi[k] + 1);
-        colour->at[k] = (uint8_t)k;
-    }
+static int32_t width_of(const ocel_bounds_t *bounds, uint32_t k) {
+    return (int32_t)bounds->hi[k] - (int32_t)bounds->lo[k];
 }
 
-static uint32_t width_of(const ocel_colour_t *colour, uint32_t k) {
-    return (uint32_t)colour->end[k] - (uint32_t)colour->begin[k];
-}
-
-static void swap_channels(ocel_colour_t *colour, uint32_t a, uint32_t b) {
-    const uint16_t begin = colour->begin[a];
-    const uint16_t end = colour->end[a];
-    const uint8_t at = colour->at[a];
-
-    colour->begin[a] = colour->begin[b];
-    colour->end[a] = colour->end[b];
-    colour->at[a] = colour->at[b];
-    colour->begin[b] = begin;
-    colour->end[b] = end;
-    colour->at[b] = at;
-}
-
-/* Narrowest first: over a background of any colours it rejects most. */
-static void order_channels(ocel_colour_t *colour) {
-    for (uint32_t k = 1U; k < 3U; k++) { /* bound: 3 channels */
-        if (width_of(colour, k) < width_of(colour, 0U)) {
-            swap_channels(colour, 0U, k);
-        }
-    }
-}
-
-/* Where R stands in a pixel of three bytes. */
-static uint32_t red_of(const ocel_colour_t *colour) {
-    return (colour->format == OCEL_FORMAT_BGR888) ? 2U : 0U;
-}
-
-/* Where R, G or B, channel 0..2, stands in it. */
-static uint32_t byte_of(const ocel_colour_t *colour, uint32_t channel) {
-    return (red_of(colour) == 0U) ? channel : (2U - channel);
-}
-
+/* The narrowest channel first: over a background of any colours it rejects most. */
 static void compile_rgb24(ocel_colour_t *colour) {
-    const ocel_colour_range_t *const range = &colour->range;
-    ocel_bounds_t bounds = bounds_of_range(range);
-    ocel_lead_t lead = {0U, 1U, 0};
+    const ocel_bounds_t bounds = compile_bounds(colour, false);
+    const bool is_bgr = colour->format == OCEL_FORMAT_BGR888;
+    uint32_t channel = 0U;
 
-    colour->decision = (uint8_t)DECIDED;
-    switch (range->space) {
-    case OCEL_SPACE_HSV:
-        bounds = ocel_bounds_of_hsv(range->lo, range->hi, &lead);
-        colour->decision = (uint8_t)DECIDE_HSV24;
-        break;
-    case OCEL_SPACE_YUV:
-        bounds = ocel_bounds_of_yuv(range->lo, range->hi, &lead);
-        colour->decision = (uint8_t)DECIDE_YUV24;
-        break;
-    case OCEL_SPACE_GRAY:
-        bounds = ocel_bounds_of_gray(range->lo[0], range->hi[0]);
-        colour->decision = (uint8_t)DECIDE_YUV24;
-        break;
-    case OCEL_SPACE_RGB:
-    default:
-        break; /* the bounds are the range */
-    }
-    set_bounds(colour, &bounds);
-    order_channels(colour);
-    for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 channels */
-        colour->at[k] = (uint8_t)byte_of(colour, colour->at[k]);
-    }
-    colour->above = (uint8_t)byte_of(colour, lead.above);
-    colour->below = (uint8_t)byte_of(colour, lead.below);
-    colour->lead = (uint8_t)lead.least;
-    if (lead.least >= LEAD_MIN) {
-        colour->test = (uint8_t)TEST_LEAD24;
-    } else if ((colour->decision == (uint8_t)DECIDE_YUV24) && (width_of(colour, 0U) > WIDTH_MAX)) {
-        colour->test = (uint8_t)TEST_ALL24;
-    } else {
-        colour->test = (uint8_t)TEST_BOX24;
-    }
-}
-
-/* Grey of a YUYV pixel is its Y. */
-static void compile_yuyv(ocel_colour_t *colour) {
-    const ocel_colour_range_t *const range = &colour->range;
-    ocel_bounds_t bounds = bounds_of_range(range);
-    ocel_lead_t lead;
-
-    colour->decision = (uint8_t)DECIDED;
-    switch (range->space) {
-    case OCEL_SPACE_RGB:
-        bounds = ocel_bounds_to_yuv(&bounds);
-        colour->decision = (uint8_t)DECIDE_YUYV;
-        break;
-    case OCEL_SPACE_HSV:
-        bounds = ocel_bounds_of_hsv(range->lo, range->hi, &lead);
-        bounds = ocel_bounds_to_yuv(&bounds);
-        colour->decision = (uint8_t)DECIDE_YUYV;
-        break;
-    case OCEL_SPACE_GRAY:
-        bounds.lo[1] = 0;
-        bounds.hi[1] = 255;
-        bounds.lo[2] = 0;
-        bounds.hi[2] = 255;
-        break;
-    case OCEL_SPACE_YUV:
-    default:
-        break; /* the bounds are the range */
-    }
-    set_bounds(colour, &bounds);
-    colour->test = (uint8_t)TEST_YUYV;
-}
-
-/* A grey pixel v is R = G = B = Y = V(alue) = v, U = V = 128, H = S = 0: every
- * range is a range of v, or empty. */
-static void compile_gray8(ocel_colour_t *colour) {
-    const ocel_colour_range_t *const range = &colour->range;
-    ocel_bounds_t bounds = bounds_of_range(range);
-    bool some = true;
-
-    switch (range->space) {
-    case OCEL_SPACE_RGB:
-        for (uint32_t k = 1U; k < 3U; k++) { /* bound: 3 channels */
-            bounds.lo[0] = (bounds.lo[k] > bounds.lo[0]) ? bounds.lo[k] : bounds.lo[0];
-            bounds.hi[0] = (bounds.hi[k] < bounds.hi[0]) ? bounds.hi[k] : bounds.hi[0];
-        }
-        break;
-    case OCEL_SPACE_HSV:
-        some = ((range->lo[0] == 0U) || (range->lo[0] > range->hi[0])) && (range->lo[1] == 0U);
-        bounds.lo[0] = bounds.lo[2];
-        bounds.hi[0] = bounds.hi[2];
-        break;
-    case OCEL_SPACE_YUV:
-        some = (range->lo[1] <= 128U) && (range->hi[1] >= 128U) && (range->lo[2] <= 128U) &&
-               (range->hi[2] >= 128U);
-        break;
-    case OCEL_SPACE_GRAY:
-    default:
-        break;
-    }
     for (uint32_t k = 1U; k < 3U; k++) { /* bound: 3 channels */
-        bounds.lo[k] = 0;
-        bounds.hi[k] = some ? 255 : -1;
+        channel = (width_of(&bounds, k) < width_of(&bounds, channel)) ? k : channel;
     }
-    set_bounds(colour, &bounds);
-    colour->decision = (uint8_t)DECIDED;
-    colour->test = (uint8_t)TEST_GRAY8;
+    for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 channels */
+        set_lanes(colour->lanes[k], &bounds, channel, channel);
+        colour->at[k] = (uint8_t)(is_bgr ? (2U - channel) : channel);
+        channel = (channel < 2U) ? (channel + 1U) : 0U;
+    }
 }
 
-static ocel_status_t compile_checked(ocel_colour_t *colour, ocel_colour_table_t *table) {
-    ocel_status_t status = OCEL_OK;
+static void compile_yuyv(ocel_colour_t *colour) {
+    const ocel_bounds_t bounds = compile_bounds(colour, true);
 
-    switch (colour->format) {
+    set_lanes(colour->lanes[0], &bounds, 0U, 0U);
+    set_lanes(colour->lanes[1], &bounds, 1U, 2U);
+}
+
+/* A grey pixel v is R = G = B = Y = V(alue) = v, U = V = 128 and H = S = 0.  So
+ * every range holds an interval of v, or none, and trying all finds it. */
+static void compile_gray8(ocel_colour_t *colour) {
+    ocel_bounds_t bounds = {{1U, 0U, 0U}, {0U, 0U, 0U}};
+
+    for (uint32_t k = 0U; k < GRAYS; k++) { /* bound: GRAYS */
+        const uint32_t v = (GRAYS - 1U) - k;
+        const ocel_pixel_t rgb = {{v, v, v}};
+
+        if (rgb_in_range(&colour->range, &rgb)) {
+            bounds.hi[0] = (bounds.lo[0] > bounds.hi[0]) ? (uint16_t)v : bounds.hi[0];
+            bounds.lo[0] = (uint16_t)v;
+        }
+    }
+    set_lanes(colour->lanes[0], &bounds, 0U, 0U);
+    colour->exact = 1U;
+}
+
+static void compile_rgb565(ocel_colour_t *colour, ocel_colour_table_t *table) {
+    fill_table(table, &colour->range);
+    colour->table = table;
+    colour->exact = 1U;
+}
+
+static void compile_valid(ocel_colour_t *colour, const ocel_colour_range_t *range,
+                          ocel_format_t format, ocel_colour_table_t *table) {
+    colour->range = *range;
+    colour->format = format;
+    colour->state = STATE_COMPILED;
+    switch (format) {
     case OCEL_FORMAT_RGB565:
-        fill_table(table, &colour->range);
-        colour->table = table;
-        colour->decision = (uint8_t)DECIDED;
-        colour->test = (uint8_t)TEST_TABLE;
-        break;
-    case OCEL_FORMAT_RGB888:
-    case OCEL_FORMAT_BGR888:
-        compile_rgb24(colour);
+        compile_rgb565(colour, table);
         break;
     case OCEL_FORMAT_YUYV:
         compile_yuyv(colour);
@@ -318,11 +214,12 @@ static ocel_status_t compile_checked(ocel_colour_t *colour, ocel_colour_table_t 
     case OCEL_FORMAT_GRAY8:
         compile_gray8(colour);
         break;
+    case OCEL_FORMAT_RGB888:
+    case OCEL_FORMAT_BGR888:
     default:
-        status = OCEL_BAD_FORMAT;
+        compile_rgb24(colour);
         break;
     }
-    return status;
 }
 
 ocel_status_t ocel_colour_compile(ocel_colour_t *colour, const ocel_colour_range_t *range,
@@ -332,19 +229,21 @@ ocel_status_t ocel_colour_compile(ocel_colour_t *colour, const ocel_colour_range
     if (colour == NULL) {
         status = OCEL_NULL_ARGUMENT;
     } else {
-        (void)memset(colour, 0, sizeof(*colour)); /* TEST_NONE, until all is well */
+        (void)memset(colour, 0, sizeof(*colour)); /* not compiled, until all is well */
         if (range == NULL) {
             status = OCEL_NULL_ARGUMENT;
         } else if (ocel_colour_line_bytes(format, 1U) == 0U) {
             status = OCEL_BAD_FORMAT;
         } else if ((format == OCEL_FORMAT_RGB565) && (table == NULL)) {
             status = OCEL_NULL_ARGUMENT;
-        } else if (!range_valid(range)) {
-            status = OCEL_BAD_OPTION;
         } else {
-            colour->range = *range;
-            colour->format = format;
-            status = compile_checked(colour, table);
+            const ocel_colour_range_t same = without_gray(range);
+
+            if (range_valid(&same)) {
+                compile_valid(colour, &same, format, table);
+            } else {
+                status = OCEL_BAD_OPTION;
+            }
         }
     }
     return status;
@@ -354,54 +253,67 @@ ocel_status_t ocel_colour_compile(ocel_colour_t *colour, const ocel_colour_range
 
 static void test_line(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
                       uint32_t *row) {
-    switch (colour->test) {
-    case TEST_TABLE:
+    switch (colour->format) {
+    case OCEL_FORMAT_RGB565:
         ocel_row16_table(colour->table->word, line, pixels, row);
         break;
-    case TEST_ALL24:
-        ocel_row24_all(pixels, row);
+    case OCEL_FORMAT_YUYV:
+        ocel_row16_yuyv(colour->lanes, line, pixels, row);
         break;
-    case TEST_BOX24:
-        ocel_row24_box(colour->begin, colour->end, colour->at, line, pixels, row);
+    case OCEL_FORMAT_GRAY8:
+        ocel_row8_gray(colour->lanes[0], line, pixels, row);
         break;
-    case TEST_LEAD24:
-        ocel_row24_lead(colour->above, colour->below, colour->lead, line, pixels, row);
-        break;
-    case TEST_YUYV:
-        ocel_row16_yuyv(colour->begin, colour->end, line, pixels, row);
-        break;
-    case TEST_GRAY8:
+    case OCEL_FORMAT_RGB888:
+    case OCEL_FORMAT_BGR888:
     default:
-        ocel_row8_gray(colour->begin[0], colour->end[0], line, pixels, row);
+        ocel_row24_box(colour->lanes, colour->at, line, pixels, row);
         break;
     }
 }
 
+/* Pixel x of a line of RGB888, BGR888 or YUYV, the formats with bounds that are
+ * not exact. */
+static ocel_pixel_t read_rgb(const ocel_colour_t *colour, const uint8_t *line, uint32_t x) {
+    ocel_pixel_t rgb;
+
+    if (colour->format == OCEL_FORMAT_YUYV) {
+        const uint8_t *const pair = &line[4U * (x >> 1U)];
+        const ocel_pixel_t yuv = {{pair[2U * (x & 1U)], pair[1], pair[3]}};
+
+        rgb = ocel_pixel_from_yuv(&yuv);
+    } else {
+        const uint8_t *const bytes = &line[3U * x];
+        const uint32_t red = (colour->format == OCEL_FORMAT_BGR888) ? 2U : 0U;
+
+        rgb.c[0] = bytes[red];
+        rgb.c[1] = bytes[1];
+        rgb.c[2] = bytes[2U - red];
+    }
+    return rgb;
+}
+
+/* Clears the bits of the pixels that are not in range after all. */
 static void decide_line(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
                         uint32_t *row) {
-    const ocel_colour_range_t *const range = &colour->range;
+    for (uint32_t x0 = 0U; x0 < pixels; x0 += 32U) { /* bound: OCEL_ROW_WORDS */
+        uint32_t passed = row[x0 >> 5U];
 
-    switch (colour->decision) {
-    case DECIDE_YUV24:
-        ocel_row24_decide_yuv(range->lo, range->hi, (range->space == OCEL_SPACE_GRAY) ? 1U : 3U,
-                              red_of(colour), line, pixels, row);
-        break;
-    case DECIDE_HSV24:
-        ocel_row24_decide_hsv(range->lo, range->hi, red_of(colour), line, pixels, row);
-        break;
-    case DECIDE_YUYV:
-        ocel_row16_decide_yuyv(range->lo, range->hi, range->space == OCEL_SPACE_HSV, line, pixels,
-                               row);
-        break;
-    default:
-        break;
+        while (passed != 0U) { /* bound: 32 bits of a word */
+            const uint32_t k = ocel_ctz32(passed);
+            const ocel_pixel_t rgb = read_rgb(colour, line, x0 + k);
+
+            passed &= passed - 1U;
+            if (!rgb_in_range(&colour->range, &rgb)) {
+                row[x0 >> 5U] &= ~(1U << k);
+            }
+        }
     }
 }
 
 static void do_line(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
                     uint32_t *row) {
     test_line(colour, line, pixels, row);
-    if (colour->decision != (uint8_t)DECIDED) {
+    if (colour->exact == 0U) {
         decide_line(colour, line, pixels, row);
     }
 }
@@ -410,12 +322,13 @@ static void do_line(const ocel_colour_t *colour, const uint8_t *line, uint32_t p
  * zeros; what those give is masked away. */
 static void do_tail(const ocel_colour_t *colour, const uint8_t *tail, uint16_t count,
                     uint32_t first_x, uint32_t *row) {
-    uint8_t copy[GROUP_BYTES_MAX] = {0U};
+    uint8_t copy[GROUP_BYTES_MAX];
     uint32_t bits = 0U;
 
+    (void)memset(copy, 0, sizeof(copy));
     (void)memcpy(copy, tail, ocel_colour_line_bytes(colour->format, count));
     do_line(colour, copy, GROUP, &bits);
-    bits &= (1U << count) - 1U;
+    bits &= (1U << (uint32_t)count) - 1U;
     row[first_x >> 5U] |= bits << (first_x & 31U);
 }
 
@@ -423,9 +336,9 @@ static ocel_status_t check_row(const ocel_colour_t *colour, size_t line_bytes, u
     const bool odd = (width & 1U) != 0U;
     ocel_status_t status = OCEL_OK;
 
-    if (colour->test == (uint8_t)TEST_NONE) {
+    if (colour->state != STATE_COMPILED) {
         status = OCEL_BAD_FORMAT;
-    } else if ((width == 0U) || (width > OCEL_MAX_WIDTH)) {
+    } else if ((width == 0U) || ((uint32_t)width > (uint32_t)OCEL_MAX_WIDTH)) {
         status = OCEL_BAD_SIZE;
     } else if (odd && (colour->format == OCEL_FORMAT_YUYV)) {
         status = OCEL_BAD_SIZE;

@@ -30,13 +30,17 @@ typedef uint32_t ocel_word_t;
 /* Pixels that are tested at once: a byte each. */
 #define OCEL_GROUP OCEL_WORD_BYTES
 
-/* Of a pattern that repeats every 64 bits, as much as a word holds. */
-#define OCEL_PATTERN(pattern) ((ocel_word_t)UINT64_C(pattern))
+/* Four bytes over and over. */
+#if OCEL_WORD_BITS == 64
+#define OCEL_REPEATED(v) ((uint64_t)(v) * UINT64_C(0x0000000100000001))
+#else
+#define OCEL_REPEATED(v) (v)
+#endif
 
-#define OCEL_LOW_BITS OCEL_PATTERN(0x0101010101010101)   /* bit 0 of each byte */
-#define OCEL_LOW_SEVEN OCEL_PATTERN(0x7F7F7F7F7F7F7F7F)  /* bits 6..0 */
-#define OCEL_TOP_BITS OCEL_PATTERN(0x8080808080808080)   /* bit 7 */
-#define OCEL_EVEN_BYTES OCEL_PATTERN(0x00FF00FF00FF00FF) /* bytes 0, 2, ... */
+#define OCEL_LOW_BITS OCEL_REPEATED(0x01010101U)   /* bit 0 of each byte */
+#define OCEL_LOW_SEVEN OCEL_REPEATED(0x7F7F7F7FU)  /* bits 6..0 */
+#define OCEL_TOP_BITS OCEL_REPEATED(0x80808080U)   /* bit 7 */
+#define OCEL_EVEN_BYTES OCEL_REPEATED(0x00FF00FFU) /* bytes 0, 2, ... */
 
 /* Little-endian loads from any address.  Spelt in bytes, so that the machine's
  * own order and alignment do not matter; GCC and Clang make one load of it
@@ -56,11 +60,6 @@ static inline ocel_word_t ocel_load_word(const uint8_t *p) {
 #else
     return ocel_load32(p);
 #endif
-}
-
-/* v, 0..255, in each byte. */
-static inline ocel_word_t ocel_spread(uint32_t v) {
-    return (ocel_word_t)v * OCEL_LOW_BITS;
 }
 
 /* x rotated right by `bits`, below OCEL_WORD_BITS. */
@@ -85,20 +84,37 @@ typedef struct {
     ocel_word_t end_odd;
 } ocel_lane_range_t;
 
-static inline ocel_lane_range_t ocel_lane_range(uint32_t begin, uint32_t end) {
-    const ocel_lane_range_t range = {ocel_spread(128U - ((begin + 1U) >> 1U)),
-                                     ocel_spread(128U - ((end + 1U) >> 1U)),
-                                     ocel_spread(begin & 1U), ocel_spread(end & 1U)};
+/* Ranges are kept four bytes wide, in this order. */
+enum { OCEL_LANES_BEGIN = 0, OCEL_LANES_END, OCEL_LANES_BEGIN_ODD, OCEL_LANES_END_ODD };
+
+/* begin0 and end0 for bytes 0 and 1, begin1 and end1 for bytes 2 and 3. */
+static inline void ocel_lanes_set(uint32_t lanes[4], uint32_t begin0, uint32_t end0,
+                                  uint32_t begin1, uint32_t end1) {
+    const uint32_t low = 0x00000101U;
+    const uint32_t high = 0x01010000U;
+
+    lanes[OCEL_LANES_BEGIN] =
+        0x80808080U - ((low * ((begin0 + 1U) >> 1U)) + (high * ((begin1 + 1U) >> 1U)));
+    lanes[OCEL_LANES_END] =
+        0x80808080U - ((low * ((end0 + 1U) >> 1U)) + (high * ((end1 + 1U) >> 1U)));
+    lanes[OCEL_LANES_BEGIN_ODD] = (low * (begin0 & 1U)) + (high * (begin1 & 1U));
+    lanes[OCEL_LANES_END_ODD] = (low * (end0 & 1U)) + (high * (end1 & 1U));
+}
+
+static inline ocel_lane_range_t ocel_lane_range(const uint32_t lanes[4]) {
+    const ocel_lane_range_t range = {
+        OCEL_REPEATED(lanes[OCEL_LANES_BEGIN]), OCEL_REPEATED(lanes[OCEL_LANES_END]),
+        OCEL_REPEATED(lanes[OCEL_LANES_BEGIN_ODD]), OCEL_REPEATED(lanes[OCEL_LANES_END_ODD])};
 
     return range;
 }
 
 /* Bit 7 of each byte says whether the byte is in range; the others say nothing. */
-static inline ocel_word_t ocel_lanes_in(ocel_word_t lanes, const ocel_lane_range_t *range) {
-    const ocel_word_t half = (lanes >> 1U) & OCEL_LOW_SEVEN;
+static inline ocel_word_t ocel_lanes_in(ocel_word_t bytes, const ocel_lane_range_t *range) {
+    const ocel_word_t half = (bytes >> 1U) & OCEL_LOW_SEVEN;
 
-    return (half + range->begin + (lanes & range->begin_odd)) ^
-           (half + range->end + (lanes & range->end_odd));
+    return (half + range->begin + (bytes & range->begin_odd)) ^
+           (half + range->end + (bytes & range->end_odd));
 }
 
 /* The same from half = floor(v/2) alone, and so with one level more at an end

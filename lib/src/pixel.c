@@ -13,9 +13,6 @@
 #define V_TO_G_Q16 46802
 #define U_TO_B_Q16 116130
 
-static const int32_t weight_q8[3][3] = OCEL_YUV_Q8;
-static const int32_t round_q8[3] = OCEL_YUV_ROUND_Q8;
-
 static uint32_t widen5(uint32_t v) {
     return (v << 3U) | (v >> 2U);
 }
@@ -34,6 +31,8 @@ ocel_pixel_t ocel_pixel_from_rgb565(uint32_t p) {
 /* |weight| sums are at most 256, so |sum| <= 256 * 255 and the rounded sum is
  * 0..65535: for U and V 32895 -+ 128 * 255, for Y at most 256 * 255 + 128. */
 static uint32_t weighted(uint32_t row, const ocel_pixel_t *rgb) {
+    static const int32_t weight_q8[3][3] = {{77, 150, 29}, {-43, -85, 128}, {128, -107, -21}};
+    static const int32_t round_q8[3] = {128, 32768 + 127, 32768 + 127};
     const int32_t *const weight = weight_q8[row];
     const int32_t sum_q8 = (weight[0] * (int32_t)rgb->c[0]) + (weight[1] * (int32_t)rgb->c[1]) +
                            (weight[2] * (int32_t)rgb->c[2]) + round_q8[row];
@@ -45,10 +44,6 @@ ocel_pixel_t ocel_pixel_to_yuv(const ocel_pixel_t *rgb) {
     const ocel_pixel_t yuv = {{weighted(0U, rgb), weighted(1U, rgb), weighted(2U, rgb)}};
 
     return yuv;
-}
-
-uint32_t ocel_pixel_gray(const ocel_pixel_t *rgb) {
-    return weighted(0U, rgb);
 }
 
 /* |v| <= 2^16 * 482 < 2^25. */
@@ -68,7 +63,7 @@ static uint32_t clip_q16(int32_t v_q16) {
 
 /* |y| <= 255 * 2^16 and |coefficient * 128| < 2^24: sums below 2^26. */
 ocel_pixel_t ocel_pixel_from_yuv(const ocel_pixel_t *yuv) {
-    const int32_t y_q16 = (int32_t)(yuv->c[0] << 16U);
+    const int32_t y_q16 = (int32_t)yuv->c[0] * 65536;
     const int32_t u = (int32_t)yuv->c[1] - 128;
     const int32_t v = (int32_t)yuv->c[2] - 128;
     const ocel_pixel_t rgb = {{clip_q16(y_q16 + (V_TO_R_Q16 * v)),
@@ -120,11 +115,22 @@ ocel_pixel_hsv_t ocel_pixel_to_hsv(const ocel_pixel_t *rgb) {
     return to_hsv(rgb);
 }
 
-bool ocel_pixel_in_box(const uint16_t lo[3], const uint16_t hi[3], const ocel_pixel_t *pixel) {
+bool ocel_pixel_in_rgb(const uint16_t lo[3], const uint16_t hi[3], const ocel_pixel_t *rgb) {
     bool in = true;
 
     for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 channels */
-        in = in && (pixel->c[k] >= lo[k]) && (pixel->c[k] <= hi[k]);
+        in = in && (rgb->c[k] >= lo[k]) && (rgb->c[k] <= hi[k]);
+    }
+    return in;
+}
+
+bool ocel_pixel_in_yuv(const uint16_t lo[3], const uint16_t hi[3], const ocel_pixel_t *rgb) {
+    bool in = true;
+
+    for (uint32_t k = 0U; (k < 3U) && in; k++) { /* bound: 3 channels */
+        const uint32_t v = weighted(k, rgb);
+
+        in = (v >= lo[k]) && (v <= hi[k]);
     }
     return in;
 }

@@ -14,28 +14,20 @@ typedef struct {
     uint32_t c[3];
 } ocel_pixel_t;
 
-/* Full-range BT.601 (JFIF) in 1/256: Y, U and V from R, G and B.  The rows sum
- * to 256, 0 and 0, so a grey pixel is (its grey, 128, 128) exactly. */
-#define OCEL_YUV_Q8 {{77, 150, 29}, {-43, -85, 128}, {128, -107, -21}}
-
-/* What is added before the shift by 8.  Y: a half, so the result is the nearest
- * integer, halves upwards.  U and V: 128 in Q8 and a half less one LSB, halves
- * downwards, as libjpeg does: pure blue and pure red are then 255, not 256. */
-#define OCEL_YUV_ROUND_Q8 {128, 32768 + 127, 32768 + 127}
-
 /* RGB565 to 8 bits a channel by repeating the upper bits: 0 gives 0, the
  * largest 255.  p <= 65535. */
 ocel_pixel_t ocel_pixel_from_rgb565(uint32_t p);
 
-/* The integer formulas above. */
+/* Y, U and V from R, G and B: full-range BT.601 (JFIF) in 1/256, with the weights
+ * 77 150 29, -43 -85 128 and 128 -107 -21.  These sum to 256, 0 and 0, so a grey
+ * pixel is (its grey, 128, 128) exactly.  To the nearest integer: Y with halves
+ * upwards; U and V with halves downwards, as libjpeg does, so that pure blue and
+ * pure red have 255 and not 256. */
 ocel_pixel_t ocel_pixel_to_yuv(const ocel_pixel_t *rgb);
 
 /* Its inverse, with 16 fraction bits, to the nearest integer, halves upwards,
  * clipped to 0..255. */
 ocel_pixel_t ocel_pixel_from_yuv(const ocel_pixel_t *yuv);
-
-/* Grey: the Y of ocel_pixel_to_yuv, 0..255. */
-uint32_t ocel_pixel_gray(const ocel_pixel_t *rgb);
 
 /* HSV as fractions of integers, so that nothing is rounded: v = value,
  * s = 255 * chroma / value, h = hue / chroma in degrees, 0 <= h < 360.  Without
@@ -51,8 +43,11 @@ typedef struct {
 
 ocel_pixel_hsv_t ocel_pixel_to_hsv(const ocel_pixel_t *rgb);
 
-/* lo[k] <= channel k <= hi[k] for all three. */
-bool ocel_pixel_in_box(const uint16_t lo[3], const uint16_t hi[3], const ocel_pixel_t *pixel);
+/* lo[k] <= channel k <= hi[k] for R, G, B. */
+bool ocel_pixel_in_rgb(const uint16_t lo[3], const uint16_t hi[3], const ocel_pixel_t *rgb);
+
+/* The same for Y, U, V; grey, which is Y, with U and V left open. */
+bool ocel_pixel_in_yuv(const uint16_t lo[3], const uint16_t hi[3], const ocel_pixel_t *rgb);
 
 /* The same in HSV, exactly: lo and hi as in ocel_colour_range_t, hue may wrap. */
 bool ocel_pixel_in_hsv(const uint16_t lo[3], const uint16_t hi[3], const ocel_pixel_t *rgb);

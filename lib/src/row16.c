@@ -4,9 +4,7 @@
  */
 #include "row16.h"
 
-#include "int_math.h"
 #include "lanes.h"
-#include "pixel.h"
 
 static inline void put(uint32_t *row, uint32_t x, uint32_t bits) {
     row[x >> 5U] |= bits << (x & 31U);
@@ -62,7 +60,7 @@ void ocel_row16_table(const uint32_t table[2048], const uint8_t *line, uint32_t 
  * OCEL_ORDER_EVEN_ODD; the odd bytes a word in which U and V take turns by
  * twos: each U of the first word beside the U of the second, then their V's. */
 
-#define U_OF_UV OCEL_PATTERN(0x0000FFFF0000FFFF)
+#define U_OF_UV OCEL_REPEATED(0x0000FFFFU)
 
 static inline ocel_word_t take_even(const uint8_t *group) {
     return (ocel_load_word(group) & OCEL_EVEN_BYTES) |
@@ -79,23 +77,10 @@ static inline ocel_word_t both(ocel_word_t uv) {
     return uv & (uv >> 16U) & U_OF_UV & OCEL_TOP_BITS;
 }
 
-static ocel_word_t mix(ocel_word_t u, ocel_word_t v) {
-    return (u & U_OF_UV) | (v & ~U_OF_UV);
-}
-
-static ocel_lane_range_t mixed_range(const ocel_lane_range_t *u, const ocel_lane_range_t *v) {
-    const ocel_lane_range_t range = {mix(u->begin, v->begin), mix(u->end, v->end),
-                                     mix(u->begin_odd, v->begin_odd), mix(u->end_odd, v->end_odd)};
-
-    return range;
-}
-
-void ocel_row16_yuyv(const uint16_t begin[3], const uint16_t end[3], const uint8_t *line,
-                     uint32_t pixels, uint32_t *row) {
-    const ocel_lane_range_t y = ocel_lane_range(begin[0], end[0]);
-    const ocel_lane_range_t u = ocel_lane_range(begin[1], end[1]);
-    const ocel_lane_range_t v = ocel_lane_range(begin[2], end[2]);
-    const ocel_lane_range_t uv = mixed_range(&u, &v);
+void ocel_row16_yuyv(const uint32_t lanes[3][4], const uint8_t *line, uint32_t pixels,
+                     uint32_t *row) {
+    const ocel_lane_range_t y = ocel_lane_range(lanes[0]);
+    const ocel_lane_range_t uv = ocel_lane_range(lanes[1]);
     const uint8_t *group = line;
 
     for (uint32_t x = 0U; x < pixels; x += OCEL_GROUP) { /* bound: OCEL_MAX_WIDTH / OCEL_GROUP */
@@ -112,43 +97,17 @@ void ocel_row16_yuyv(const uint16_t begin[3], const uint16_t end[3], const uint8
     }
 }
 
-static bool yuyv_in(const uint16_t lo[3], const uint16_t hi[3], bool hsv, const uint8_t *pair,
-                    uint32_t second) {
-    const ocel_pixel_t yuv = {{pair[2U * second], pair[1], pair[3]}};
-    const ocel_pixel_t rgb = ocel_pixel_from_yuv(&yuv);
-
-    return hsv ? ocel_pixel_in_hsv(lo, hi, &rgb) : ocel_pixel_in_box(lo, hi, &rgb);
-}
-
-void ocel_row16_decide_yuyv(const uint16_t lo[3], const uint16_t hi[3], bool hsv,
-                            const uint8_t *line, uint32_t pixels, uint32_t *row) {
-    for (uint32_t x0 = 0U; x0 < pixels; x0 += 32U) { /* bound: OCEL_ROW_WORDS */
-        uint32_t passed = row[x0 >> 5U];
-
-        while (passed != 0U) { /* bound: 32 bits of a word */
-            const uint32_t k = ocel_ctz32(passed);
-            const uint32_t pair = (x0 + k) >> 1U;
-
-            passed &= passed - 1U;
-            if (!yuyv_in(lo, hi, hsv, &line[4U * pair], k & 1U)) {
-                row[x0 >> 5U] &= ~(1U << k);
-            }
-        }
-    }
-}
-
 /* ---- GRAY8 ---- */
 
-void ocel_row8_gray(uint32_t begin, uint32_t end, const uint8_t *line, uint32_t pixels,
-                    uint32_t *row) {
-    const ocel_lane_range_t range = ocel_lane_range(begin, end);
+void ocel_row8_gray(const uint32_t lanes[4], const uint8_t *line, uint32_t pixels, uint32_t *row) {
+    const ocel_lane_range_t range = ocel_lane_range(lanes);
 
     for (uint32_t x = 0U; x < pixels; x += OCEL_GROUP) { /* bound: OCEL_MAX_WIDTH / OCEL_GROUP */
-        const ocel_word_t lanes = ocel_load_word(&line[x]);
-        const ocel_word_t half = (lanes >> 1U) & OCEL_LOW_SEVEN;
+        const ocel_word_t bytes = ocel_load_word(&line[x]);
+        const ocel_word_t half = (bytes >> 1U) & OCEL_LOW_SEVEN;
 
         if ((ocel_lanes_may_be_in(half, &range) & OCEL_TOP_BITS) != 0U) {
-            put(row, x, ocel_gather(ocel_lanes_in(lanes, &range), OCEL_ORDER_PLAIN));
+            put(row, x, ocel_gather(ocel_lanes_in(bytes, &range), OCEL_ORDER_PLAIN));
         }
     }
 }

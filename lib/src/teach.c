@@ -65,7 +65,7 @@ static ocel_pixel_t read_yuyv(const uint8_t *line, uint32_t x) {
 }
 
 /* R, G, B of pixel x. */
-static ocel_pixel_t read_rgb(ocel_format_t format, const uint8_t *line, uint32_t x) {
+static ocel_pixel_t read_as_rgb(ocel_format_t format, const uint8_t *line, uint32_t x) {
     ocel_pixel_t rgb = {{0U, 0U, 0U}};
 
     switch (format) {
@@ -141,14 +141,14 @@ static void count_pixel(ocel_teach_t *teach, const uint8_t *line, uint32_t x) {
     ocel_pixel_t pixel;
 
     if (teach->space == OCEL_SPACE_HSV) {
-        pixel = read_rgb(teach->format, line, x);
+        pixel = read_as_rgb(teach->format, line, x);
         count_hsv(teach, &pixel);
     } else if (teach->space == OCEL_SPACE_RGB) {
-        pixel = read_rgb(teach->format, line, x);
+        pixel = read_as_rgb(teach->format, line, x);
         count_channels(teach, &pixel);
     } else {
         /* YUV, and grey, which is its Y. */
-        pixel = is_yuyv ? read_yuyv(line, x) : read_rgb(teach->format, line, x);
+        pixel = is_yuyv ? read_yuyv(line, x) : read_as_rgb(teach->format, line, x);
         pixel = is_yuyv ? pixel : ocel_pixel_to_yuv(&pixel);
         count_channels(teach, &pixel);
     }

@@ -429,97 +429,91 @@ static void test_gray8_every_value(void) {
     }
 }
 
-/* A lead of 0 claims nothing. */
-static bool leads(const ocel_lead_t *lead, const double v[3]) {
-    return (lead->least == 0) || (v[lead->above] - v[lead->below] >= lead->least);
+static ocel_bounds_t bounds_of(const ocel_colour_range_t *range) {
+    ocel_bounds_t bounds;
+    memcpy(bounds.lo, range->lo, sizeof bounds.lo);
+    memcpy(bounds.hi, range->hi, sizeof bounds.hi);
+    return bounds;
 }
 
-/* Bounds and leads may pass what is not in range but must not deny what is: on
- * a lattice of all of RGB that has its corners and edges. */
-static void test_bounds_deny_nothing_in_range(void) {
+static bool within(const ocel_bounds_t *bounds, triple_t v) {
+    bool in = true;
+    for (int k = 0; k < 3; k++) {
+        in = in && (v.c[k] >= bounds->lo[k]) && (v.c[k] <= bounds->hi[k]);
+    }
+    return in;
+}
+
+/* A lattice of all colours that has the cube's corners and edges. */
+enum { LATTICE = 18 * 18 * 18 };
+
+static triple_t lattice(int at) {
+    const triple_t v = {{15 * (at % 18), 15 * ((at / 18) % 18), 15 * (at / 324)}};
+    return v;
+}
+
+/* Bounds may hold what is not in range but must hold all that is. */
+static void test_rgb_bounds_hold_the_range(void) {
     rng_t rng = rng_seed(SEED);
     for (int trial = 0; trial < 600; trial++) {
-        const ocel_space_t space = (trial % 3 == 0)   ? OCEL_SPACE_GRAY
-                                   : (trial % 3 == 1) ? OCEL_SPACE_HSV
-                                                      : OCEL_SPACE_YUV;
-        const ocel_colour_range_t range = random_range(&rng, space);
-        const case_t c = {range, OCEL_FORMAT_RGB888, 0};
-        ocel_lead_t lead = {0U, 1U, 0};
-        const ocel_bounds_t bounds =
-            (space == OCEL_SPACE_GRAY)  ? ocel_bounds_of_gray(range.lo[0], range.hi[0])
-            : (space == OCEL_SPACE_HSV) ? ocel_bounds_of_hsv(range.lo, range.hi, &lead)
-                                        : ocel_bounds_of_yuv(range.lo, range.hi, &lead);
-        for (int at = 0; at < 18 * 18 * 18; at++) {
-            const int v[3] = {15 * (at % 18), 15 * ((at / 18) % 18), 15 * (at / 324)};
-            const triple_t rgb = {{v[0], v[1], v[2]}};
-            if (!twin_in(&range, rgb, NULL)) {
-                continue;
-            }
-            for (int k = 0; k < 3; k++) {
-                TEST_ASSERT_TRUE_MESSAGE((v[k] >= bounds.lo[k]) && (v[k] <= bounds.hi[k]),
-                                         describe(&c, at));
-            }
-            TEST_ASSERT_TRUE_MESSAGE(leads(&lead, rgb.c), describe(&c, at));
+        const ocel_space_t space = (trial % 2 == 0) ? OCEL_SPACE_HSV : OCEL_SPACE_YUV;
+        const case_t c = {random_range(&rng, space), OCEL_FORMAT_RGB888, 0};
+        ocel_bounds_t bounds = bounds_of(&c.range);
+        if (space == OCEL_SPACE_HSV) {
+            ocel_bounds_hsv_to_rgb(&bounds);
+        } else {
+            ocel_bounds_yuv_to_rgb(&bounds);
         }
-    }
-}
-
-/* The margin that bounds.c gives the YUV roundings, on all colours of a finer
- * lattice: each channel within 3 of what the inverse matrix makes of its Y, U, V. */
-static void test_yuv_bounds_of_a_single_colour(void) {
-    for (int r = 0; r < 256; r += 5) {
-        for (int g = 0; g < 256; g += 5) {
-            for (int b = 0; b < 256; b += 5) {
-                const triple_t rgb = {{r, g, b}};
-                const triple_t yuv = twin_yuv_of_rgb(rgb);
-                uint16_t at[3];
-                ocel_lead_t lead;
-                for (int k = 0; k < 3; k++) {
-                    at[k] = (uint16_t)yuv.c[k];
-                }
-                const ocel_bounds_t bounds = ocel_bounds_of_yuv(at, at, &lead);
-                for (int k = 0; k < 3; k++) {
-                    TEST_ASSERT_TRUE((rgb.c[k] >= bounds.lo[k]) && (rgb.c[k] <= bounds.hi[k]));
-                    TEST_ASSERT_LESS_OR_EQUAL_INT(8, bounds.hi[k] - bounds.lo[k]);
-                }
-                TEST_ASSERT_TRUE(leads(&lead, rgb.c));
+        for (int at = 0; at < LATTICE; at++) {
+            if (twin_in(&c.range, lattice(at), NULL)) {
+                TEST_ASSERT_TRUE_MESSAGE(within(&bounds, lattice(at)), describe(&c, at));
             }
         }
     }
 }
 
-static void test_yuv_of_rgb_bounds(void) {
+static void test_yuv_bounds_hold_the_range(void) {
     rng_t rng = rng_seed(SEED);
     for (int trial = 0; trial < 300; trial++) {
-        const ocel_colour_range_t range = random_range(&rng, OCEL_SPACE_RGB);
-        const ocel_bounds_t rgb = {{range.lo[0], range.lo[1], range.lo[2]},
-                                   {range.hi[0], range.hi[1], range.hi[2]}};
-        const ocel_bounds_t bounds = ocel_bounds_to_yuv(&rgb);
-        const case_t c = {range, OCEL_FORMAT_YUYV, 0};
-        for (int at = 0; at < 18 * 18 * 18; at++) {
-            const triple_t yuv = {{15 * (at % 18), 15 * ((at / 18) % 18), 15 * (at / 324)}};
-            if (twin_in(&range, twin_rgb_of_yuv(yuv), &yuv)) {
-                for (int k = 0; k < 3; k++) {
-                    TEST_ASSERT_TRUE_MESSAGE(
-                        (yuv.c[k] >= bounds.lo[k]) && (yuv.c[k] <= bounds.hi[k]), describe(&c, at));
-                }
+        const case_t c = {random_range(&rng, OCEL_SPACE_RGB), OCEL_FORMAT_YUYV, 0};
+        ocel_bounds_t bounds = bounds_of(&c.range);
+        ocel_bounds_rgb_to_yuv(&bounds);
+        for (int at = 0; at < LATTICE; at++) {
+            if (twin_in(&c.range, twin_rgb_of_yuv(lattice(at)), NULL)) {
+                TEST_ASSERT_TRUE_MESSAGE(within(&bounds, lattice(at)), describe(&c, at));
             }
         }
     }
 }
 
-/* A lead is found for a range of one hue, and is what the definition says. */
-static void test_lead_of_orange(void) {
-    const uint16_t lo[3] = {10U, 150U, 180U};
-    const uint16_t hi[3] = {35U, 255U, 255U};
-    ocel_lead_t lead;
-    const ocel_bounds_t bounds = ocel_bounds_of_hsv(lo, hi, &lead);
-    TEST_ASSERT_EQUAL(0, lead.above); /* red over blue by the whole chroma: */
-    TEST_ASSERT_EQUAL(2, lead.below);
-    TEST_ASSERT_EQUAL(106, lead.least); /* 180 * 150 / 255 = 105.9 */
-    TEST_ASSERT_EQUAL(180, bounds.lo[0]);
-    TEST_ASSERT_EQUAL(105, bounds.hi[2]); /* 255 - 150 */
-    TEST_ASSERT_EQUAL(192, bounds.hi[1]); /* 255 - 150 * (1 - 35 / 60) = 192.5 */
+/* The margin for rounding holds, and the bounds are no wider than it, on the
+ * finest ranges there are: one colour. */
+static void test_bounds_of_a_single_yuv(void) {
+    for (int at = 0; at < LATTICE; at++) {
+        const triple_t yuv = twin_yuv_of_rgb(lattice(at));
+        ocel_bounds_t bounds;
+        for (int k = 0; k < 3; k++) {
+            bounds.lo[k] = (uint16_t)yuv.c[k];
+            bounds.hi[k] = (uint16_t)yuv.c[k];
+        }
+        ocel_bounds_yuv_to_rgb(&bounds);
+        TEST_ASSERT_TRUE(within(&bounds, lattice(at)));
+        for (int k = 0; k < 3; k++) {
+            TEST_ASSERT_LESS_OR_EQUAL_INT(8, bounds.hi[k] - bounds.lo[k]);
+        }
+    }
+}
+
+/* Tight where it counts: orange is far from grey in all three channels. */
+static void test_bounds_of_orange(void) {
+    ocel_bounds_t bounds = {{10U, 150U, 180U}, {35U, 255U, 255U}};
+    ocel_bounds_hsv_to_rgb(&bounds);
+    TEST_ASSERT_UINT16_WITHIN(1, 180, bounds.lo[0]);
+    TEST_ASSERT_UINT16_WITHIN(1, 255, bounds.hi[0]);
+    TEST_ASSERT_UINT16_WITHIN(1, 30, bounds.lo[1]);  /* 180 * 10 / 60 */
+    TEST_ASSERT_UINT16_WITHIN(1, 192, bounds.hi[1]); /* 255 - 150 * (1 - 35 / 60) */
+    TEST_ASSERT_UINT16_WITHIN(1, 0, bounds.lo[2]);
+    TEST_ASSERT_UINT16_WITHIN(1, 105, bounds.hi[2]); /* 255 - 150 */
 }
 
 /* ---- Lanes ---- */
@@ -542,33 +536,49 @@ static void test_loads_are_little_endian(void) {
     }
 }
 
-/* Every range and every value, between neighbours that would carry or borrow. */
+/* Value k of a range's bytes: 0 and 1 have one range, 2 and 3 the other. */
+static bool lane_want(unsigned v, unsigned k, const unsigned *begin, const unsigned *end) {
+    const unsigned which = (k / 2U) % 2U;
+    return (v >= begin[which]) && (v < end[which]);
+}
+
+static bool bit7(ocel_word_t word, unsigned k) {
+    return ((word >> (8U * k + 7U)) & 1U) != 0U;
+}
+
+/* Bytes beside each other that would carry or borrow if any could.  The coarse
+ * test may pass one level more at an odd end, and nothing else. */
+static void check_lanes(const unsigned *begin, const unsigned *end, unsigned v) {
+    const ocel_word_t other = ((v & 4U) != 0U) ? 0xFFU : 0U;
+    const ocel_word_t bytes = (ocel_word_t)v | (other << 8U) | ((ocel_word_t)v << 16U) |
+                              ((ocel_word_t)(v ^ 1U) << (OCEL_WORD_BITS - 8));
+    uint32_t lanes[4];
+    ocel_lanes_set(lanes, begin[0], end[0], begin[1], end[1]);
+    const ocel_lane_range_t range = ocel_lane_range(lanes);
+    const ocel_word_t in = ocel_lanes_in(bytes, &range);
+    const ocel_word_t may = ocel_lanes_may_be_in((bytes >> 1U) & OCEL_LOW_SEVEN, &range);
+    for (unsigned k = 0U; k < OCEL_WORD_BYTES; k++) {
+        const unsigned at = (unsigned)(bytes >> (8U * k)) & 0xFFU;
+        const unsigned wider_begin[2] = {begin[0] & ~1U, begin[1] & ~1U};
+        const unsigned wider_end[2] = {(end[0] + 1U) & ~1U, (end[1] + 1U) & ~1U};
+        if ((bit7(in, k) != lane_want(at, k, begin, end)) ||
+            (bit7(may, k) != lane_want(at, k, wider_begin, wider_end))) {
+            char text[80];
+            (void)snprintf(text, sizeof text, "%u-%u %u-%u value %u byte %u", begin[0], end[0],
+                           begin[1], end[1], v, k);
+            TEST_FAIL_MESSAGE(text);
+        }
+    }
+}
+
+/* Every range and every value. */
 static void test_lane_ranges_exhaustively(void) {
     for (unsigned begin = 0U; begin <= 256U; begin++) {
         for (unsigned end = begin; end <= 256U; end++) {
-            const ocel_lane_range_t range = ocel_lane_range(begin, end);
-            const unsigned coarse_begin = begin & ~1U;
-            const unsigned coarse_end = (end + 1U) & ~1U;
+            const unsigned begins[2] = {begin, (begin * 7U) % (end + 1U)};
+            const unsigned ends[2] = {end, end};
             for (unsigned v = 0U; v < 256U; v++) {
-                const ocel_word_t other = ((v & 4U) != 0U) ? 0xFFU : 0U;
-                const ocel_word_t lanes = (ocel_word_t)v | (other << 8U) | ((ocel_word_t)v << 16U) |
-                                          ((ocel_word_t)(v ^ 1U) << (OCEL_WORD_BITS - 8));
-                const ocel_word_t in = ocel_lanes_in(lanes, &range) & OCEL_TOP_BITS;
-                const ocel_word_t may =
-                    ocel_lanes_may_be_in((lanes >> 1U) & OCEL_LOW_SEVEN, &range) & OCEL_TOP_BITS;
-                for (unsigned k = 0U; k < OCEL_WORD_BYTES; k++) {
-                    const unsigned lane = (unsigned)(lanes >> (8U * k)) & 0xFFU;
-                    const bool want = (lane >= begin) && (lane < end);
-                    const bool coarse = (lane >= coarse_begin) && (lane < coarse_end);
-                    if (((((in >> (8U * k + 7U)) & 1U) != 0U) != want) ||
-                        ((((may >> (8U * k + 7U)) & 1U) != 0U) !=
-                         (coarse && (begin < end || coarse_begin < coarse_end)))) {
-                        char text[80];
-                        (void)snprintf(text, sizeof text, "begin %u end %u value %u lane %u", begin,
-                                       end, v, k);
-                        TEST_FAIL_MESSAGE(text);
-                    }
-                }
+                check_lanes(begins, ends, v);
             }
         }
     }
@@ -598,33 +608,6 @@ static void test_gather_every_pattern(void) {
     check_gather(OCEL_ORDER_EVEN_ODD, even_odd);
 }
 
-/* A lead passes every pixel that has it, and none that misses it by more than 6. */
-static void test_lead_margin(void) {
-    uint8_t line[3 * 256];
-    for (uint32_t lead = 4U; lead < 256U; lead++) {
-        for (uint32_t pair = 0U; pair < 6U; pair++) {
-            const uint32_t above = pair % 3U;
-            const uint32_t below = (above + 1U + pair / 3U) % 3U;
-            uint32_t row[8] = {0U};
-            rng_t rng = rng_seed(SEED + 6U * lead + pair);
-            for (uint32_t x = 0U; x < 256U; x++) {
-                const int32_t base = rng_between(&rng, 0, 255);
-                const int32_t other = base + (int32_t)lead + rng_between(&rng, -9, 3);
-                line[3U * x + below] = (uint8_t)base;
-                line[3U * x + above] = (uint8_t)((other < 0) ? 0 : (other > 255) ? 255 : other);
-                line[3U * x + (3U - above - below)] = (uint8_t)rng_below(&rng, 256U);
-            }
-            ocel_row24_lead(above, below, lead, line, 256U, row);
-            for (uint32_t x = 0U; x < 256U; x++) {
-                const int has = (int)line[3U * x + above] - (int)line[3U * x + below];
-                const bool passed = ((row[x / 32U] >> (x % 32U)) & 1U) != 0U;
-                TEST_ASSERT_FALSE((has >= (int)lead) && !passed);
-                TEST_ASSERT_FALSE((has < (int)lead - 6) && passed);
-            }
-        }
-    }
-}
-
 /* ---- One pixel ---- */
 
 static void test_pixel_conversions(void) {
@@ -641,7 +624,6 @@ static void test_pixel_conversions(void) {
             TEST_ASSERT_EQUAL_UINT32((uint32_t)want_yuv.c[k], yuv.c[k]);
             TEST_ASSERT_EQUAL_UINT32((uint32_t)want_rgb.c[k], rgb.c[k]);
         }
-        TEST_ASSERT_EQUAL_UINT32(yuv.c[0], ocel_pixel_gray(&p));
         /* Within one of BT.601 itself. */
         TEST_ASSERT_DOUBLE_WITHIN(1.0, 0.299 * v.c[0] + 0.587 * v.c[1] + 0.114 * v.c[2], yuv.c[0]);
         TEST_ASSERT_DOUBLE_WITHIN(
@@ -824,14 +806,13 @@ int main(void) {
     RUN_TEST(test_loads_are_little_endian);
     RUN_TEST(test_lane_ranges_exhaustively);
     RUN_TEST(test_gather_every_pattern);
-    RUN_TEST(test_lead_margin);
     RUN_TEST(test_pixel_conversions);
     RUN_TEST(test_pixel_extremes);
     RUN_TEST(test_hue_ends);
-    RUN_TEST(test_lead_of_orange);
-    RUN_TEST(test_bounds_deny_nothing_in_range);
-    RUN_TEST(test_yuv_bounds_of_a_single_colour);
-    RUN_TEST(test_yuv_of_rgb_bounds);
+    RUN_TEST(test_rgb_bounds_hold_the_range);
+    RUN_TEST(test_yuv_bounds_hold_the_range);
+    RUN_TEST(test_bounds_of_a_single_yuv);
+    RUN_TEST(test_bounds_of_orange);
     RUN_TEST(test_table_holds_all_65536_colours);
     RUN_TEST(test_gray8_every_value);
     RUN_TEST(test_every_width);

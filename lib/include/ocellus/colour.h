@@ -26,6 +26,15 @@ typedef enum {
     OCEL_FORMAT_GRAY8       /* 1 byte */
 } ocel_format_t;
 
+/* What is tested, exactly:
+ *   RGB   RGB565 is widened to 8 bits by repeating a channel's upper bits; YUYV is
+ *         converted by the full-range BT.601 formulas (JFIF, ITU-T T.871) in Q16,
+ *         rounded to the nearest integer and clipped.
+ *   HSV   of R, G, B without rounding: V is the largest, S = 255 (V - smallest) / V,
+ *         H in [0, 360) by the usual hexagon; H is 0 when R = G = B, S when V = 0.
+ *   YUV   as YUYV has them; of R, G, B by the weights 77 150 29, -43 -85 128 and
+ *         128 -107 -21 over 256, to the nearest integer, U and V offset by 128.
+ *   grey  the Y of YUV. */
 typedef enum {
     OCEL_SPACE_RGB = 0, /* R, G, B, 0..255 */
     OCEL_SPACE_HSV,     /* H 0..360 degrees, S and V 0..255 */
@@ -49,17 +58,13 @@ typedef struct {
 
 /* A compiled range.  Opaque: read it through the functions below. */
 typedef struct {
-    ocel_colour_range_t range;
+    ocel_colour_range_t range; /* grey as Y, U and V */
     ocel_format_t format;
     const ocel_colour_table_t *table; /* RGB565 only; null elsewhere */
-    uint16_t begin[3]; /* bounds of the bytes at[k] of a pixel, begin <= byte < end; */
-    uint16_t end[3];   /* of three-byte pixels the narrowest first */
-    uint8_t at[3];
-    uint8_t above; /* the byte that exceeds byte `below` by at least `lead` */
-    uint8_t below;
-    uint8_t lead;
-    uint8_t test;     /* how a line is tested; 0: not compiled */
-    uint8_t decision; /* how the pixels that pass are decided */
+    uint32_t lanes[3][4];             /* bounds of bytes, as the line tests take them */
+    uint8_t at[3];                    /* which byte of the pixel each is for */
+    uint8_t exact;                    /* 1: the bounds are the range */
+    uint16_t state;
 } ocel_colour_t;
 
 /* Bytes of one line of `width` pixels in `format`; 0 for an unknown format. */
