@@ -7,6 +7,20 @@
 
 #include "int_math.h"
 
+uint32_t ocel_crack_take(const ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger) {
+    uint32_t cell = ledger->free;
+
+    if (cell != OCEL_NO_CELL) {
+        ledger->free = (uint16_t)ocel_crack_link(pool, cell);
+    } else if (ledger->fresh < OCEL_MAX_CRACKS) {
+        cell = ledger->fresh;
+        ledger->fresh++;
+    } else {
+        /* The pool is exhausted. */
+    }
+    return cell;
+}
+
 ocel_crack_pair_t ocel_crack_take_pair_slowly(ocel_crack_pool_t *pool,
                                               ocel_crack_ledger_t *ledger) {
     ocel_crack_pair_t pair = {OCEL_NO_CELL, OCEL_NO_CELL};

@@ -58,22 +58,10 @@ typedef struct {
     uint32_t tail;
 } ocel_crack_pair_t;
 
-/* A cell, or OCEL_NO_CELL. */
-static inline uint32_t ocel_crack_take(const ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger) {
-    uint32_t cell = ledger->free;
+/* A cell, its link not set, or OCEL_NO_CELL. */
+uint32_t ocel_crack_take(const ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger);
 
-    if (cell != OCEL_NO_CELL) {
-        ledger->free = (uint16_t)ocel_crack_link(pool, cell);
-    } else if (ledger->fresh < OCEL_MAX_CRACKS) {
-        cell = ledger->fresh;
-        ledger->fresh++;
-    } else {
-        /* The pool is exhausted. */
-    }
-    return cell;
-}
-
-/* The same for a pair, whatever mixture of free and fresh cells there is. */
+/* A pair, whatever mixture of free and fresh cells there is. */
 ocel_crack_pair_t ocel_crack_take_pair_slowly(ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger);
 
 /* A chain from a left edge to a right edge of one row.  The first two cells of
