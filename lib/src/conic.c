@@ -12,13 +12,13 @@
 
 /* A trace, a determinant or a derivative below 2^-44 of the largest possible
  * is what rounding leaves of zero (entries are good to about 2^-57). */
-#define NOTHING_Q60 ((int64_t)1 << 16)
+#define NOTHING_Q60 ((int64_t)0x10000)
 
 /* 4AC - B^2 below 2^-28 of (A + C)^2: an axis ratio under 2^-15, a parabola. */
-#define FLAT_Q60 ((int64_t)1 << 32)
+#define FLAT_Q60 ((int64_t)0x100000000)
 
 /* |D|, |E| < 2^10 in Q48: beyond, the centre is far outside the points. */
-#define LINEAR_MAX_Q48 ((int64_t)1 << 58)
+#define LINEAR_MAX_Q48 ((int64_t)0x400000000000000)
 
 /* The reduced problem M a = lambda C1 a in u = A + C, v = A - C, w = B, where
  * the constraint 4AC - B^2 is u^2 - v^2 - w^2 and M is scaled to a trace in

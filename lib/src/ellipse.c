@@ -10,11 +10,11 @@
 
 /* A centre farther than 2^8 half-sides from the points' box is none: arcs
  * under about 15 degrees of a circle. */
-#define CENTRE_MAX_Q48 ((int64_t)1 << 56)
+#define CENTRE_MAX_Q48 ((int64_t)0x100000000000000)
 
 /* A squared size below 2^-44 of the points' spread is what rounding leaves of
  * zero: an imaginary ellipse. */
-#define NOTHING_Q60 ((int64_t)1 << 16)
+#define NOTHING_Q60 ((int64_t)0x10000)
 
 /* The centre and the points' second moments about it. */
 typedef struct {

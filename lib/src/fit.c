@@ -14,7 +14,7 @@
  * the eigenvalue of the textbook's 6x6 problem drowns in rounding, and its
  * sign, by which the textbook selects, becomes an accident.  Boundaries of
  * pixels are above: their residual, .23 px, is 2^-13 of the widest image. */
-#define UNSTABLE_Q60 ((int64_t)1 << 26)
+#define UNSTABLE_Q60 ((int64_t)0x4000000)
 
 /* The second opinion on a short arc.  Under 11/32 of a turn (124 degrees) the
  * unbiased fit's centre must be expected within 1/20 of its semi-minor axis; the

@@ -24,11 +24,11 @@
 
 /* Pivots: a middle one below this means no unique conic; the last one, which is
  * zero for exact points, is taken as this instead. */
-#define LEAST_Q60 ((int64_t)1 << 10)
+#define LEAST_Q60 ((int64_t)0x400)
 
 /* |A + C| at least 2^-12 of the largest coefficient; 4AC - B^2 >= 2^-28. */
 #define ROUND_MIN_BITS 12U
-#define FLAT_Q60 ((int64_t)1 << 32)
+#define FLAT_Q60 ((int64_t)0x100000000)
 
 /* Coefficients are kept with the largest in [2^57, 2^58): a quarter, so that
  * five of them times entries of 1.01 stay below 2. */
@@ -230,13 +230,13 @@ static ocel_status_t conic_of(const vector_t *v, ocel_conic_t *conic, ocel_scale
 
 /* lambda = (t' cov t) / (t' N t), the noise's variance in the metric's unit; a
  * value of 1 or more, noise as large as the figure, is refused. */
-static bool variance_q60(int64_t residual, int64_t gradient, int64_t *lambda) {
-    const bool usable = (residual >= 0) && (gradient > residual);
+static bool variance_q60(int64_t residual, int64_t slope, int64_t *lambda) {
+    const bool usable = (residual >= 0) && (slope > residual);
 
     if (usable) {
         ocel_scaled_t inverse;
 
-        ocel_recip_q60((uint64_t)gradient, &inverse.y_q60, &inverse.e);
+        ocel_recip_q60((uint64_t)slope, &inverse.y_q60, &inverse.e);
         *lambda = over(residual, &inverse, 0);
     }
     return usable;
@@ -270,7 +270,7 @@ ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, const ocel_frame_t
     ocel_status_t status = OCEL_DEGENERATE;
 
     if (ocel_scatter_reduce(moments, &scatter, spread) && finish_factor(&scatter)) {
-        vector_t v = {{0, 0, (int64_t)1 << 57, 0, (int64_t)1 << 57}};
+        vector_t v = {{0, 0, (int64_t)0x200000000000000, 0, (int64_t)0x200000000000000}};
         metric_t n;
         uint32_t i;
 

@@ -8,7 +8,7 @@
 
 /* Sums of squares below 2^31 make every square so, and every quartic sum at most
  * their product, 2^62.  A disc of radius R sums to 16 R^3: R < 512 px. */
-#define SQUARES_MAX ((int64_t)1 << 31)
+#define SQUARES_MAX ((int64_t)0x80000000)
 
 /* Powers of x and of y in each moment, in the order of OCEL_M_*. */
 static const uint8_t power_x[OCEL_M_COUNT] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0, 4, 3, 2, 1, 0};
@@ -26,9 +26,20 @@ static inline int64_t low_word(int64_t v) {
  * are. */
 static void sum_cracks(const ocel_crack_t *cracks, size_t count, int32_t x0, int32_t y0,
                        int64_t *sum) {
-    uint64_t s_x = 0U, s_y = 0U, s_xx = 0U, s_xy = 0U, s_yy = 0U;
-    uint64_t s_xxx = 0U, s_xxy = 0U, s_xyy = 0U, s_yyy = 0U;
-    uint64_t s_xxxx = 0U, s_xxxy = 0U, s_xxyy = 0U, s_xyyy = 0U, s_yyyy = 0U;
+    uint64_t s_x = 0U;
+    uint64_t s_y = 0U;
+    uint64_t s_xx = 0U;
+    uint64_t s_xy = 0U;
+    uint64_t s_yy = 0U;
+    uint64_t s_xxx = 0U;
+    uint64_t s_xxy = 0U;
+    uint64_t s_xyy = 0U;
+    uint64_t s_yyy = 0U;
+    uint64_t s_xxxx = 0U;
+    uint64_t s_xxxy = 0U;
+    uint64_t s_xxyy = 0U;
+    uint64_t s_xyyy = 0U;
+    uint64_t s_yyyy = 0U;
     size_t i;
 
     for (i = 0U; i < count; i++) { /* bound: count <= OCEL_MAX_FIT_POINTS */
@@ -115,8 +126,8 @@ bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_momen
 
             sum[i] = ocel_scale_q60(sum[i], 60 - (int32_t)down);
         }
-        frame->x0_px_q24 = (int64_t)x0 * ((int64_t)1 << 23U);
-        frame->y0_px_q24 = (int64_t)y0 * ((int64_t)1 << 23U);
+        frame->x0_px_q24 = (int64_t)x0 * (int64_t)0x800000;
+        frame->y0_px_q24 = (int64_t)y0 * (int64_t)0x800000;
         frame_of_powers(frame, ex + 16U, ey + 16U);
     }
     return exact;

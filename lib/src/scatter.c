@@ -6,7 +6,7 @@
 
 /* The least variance of x, and of y given x, relative to the unit square.
  * Rounding leaves about 2^-57; half a pixel across 4096 is 2^-26. */
-#define COLLINEAR_Q60 ((int64_t)1 << 18)
+#define COLLINEAR_Q60 ((int64_t)0x40000)
 
 #define TRIANGLE ((OCEL_S_COUNT * (OCEL_S_COUNT + 1)) / 2)
 
