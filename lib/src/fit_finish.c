@@ -8,9 +8,9 @@
 #include "int_math.h"
 #include "q60.h"
 
-/* From 20/32 of a turn (225 degrees) on, no fit is far from another: vouched for
- * without a second opinion. */
-#define TRUSTED_ARC_Q16 (20U * 2048U)
+/* From 27/32 of a turn (304 degrees) on an arc is vouched for without a second
+ * opinion.  Below, B2AC's bias can make a short arc look as long as it says. */
+#define TRUSTED_ARC_Q16 (27U * 2048U)
 
 /* The conic's flatness as every affine frame sees it: 4AC - B^2 over (A + C)^2
  * in the frame in which the points do not correlate.  An arc of a turn's

@@ -23,7 +23,7 @@ typedef struct {
 
 /* Writes the ellipse but for its method and whether it was perturbed; zeroes it
  * unless the status is OCEL_OK or OCEL_PARTIAL: the latter for every arc under
- * 20/32 of a turn, which wants a second opinion.  `closed`: the points are a
+ * 27/32 of a turn, which wants a second opinion.  `closed`: the points are a
  * whole closed boundary, so the arc need not be measured. */
 ocel_status_t ocel_fit_finish(const ocel_solution_t *solution, const ocel_source_t *source,
                               bool closed, ocel_ellipse_t *ellipse);

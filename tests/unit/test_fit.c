@@ -315,14 +315,14 @@ static uint32_t centres_apart(const ocel_ellipse_t *p, const ocel_ellipse_t *q) 
                            (double)p->cy_px_q16 - q->cy_px_q16);
 }
 
-/* The rule of fit.h, from the two opinions: an arc under 20/32 of the turn is
+/* The rule of fit.h, from the two opinions: an arc under 27/32 of the turn is
  * vouched for when B2AC and hyper agree on the centre within 10 % of hyper's
  * semi-minor axis, and under 11/32 hyper's sigma is within 5 % of it. */
 static ocel_status_t status_by_the_rule(const ocel_ellipse_t *e, size_t count) {
     const ocel_fit_options_t options =
         with((e->method == OCEL_FIT_HYPER) ? OCEL_FIT_B2AC : OCEL_FIT_HYPER);
     ocel_ellipse_t second;
-    if (e->arc_coverage_q16 >= 20U * 2048U) {
+    if (e->arc_coverage_q16 >= 27U * 2048U) {
         return OCEL_OK;
     }
     if (!fit_has_ellipse(ocel_fit_points(points, count, &options, &second))) {
@@ -464,7 +464,7 @@ static void test_boundary_equals_cracks(void) {
             ocel_ellipse_t two;
             options.closed = closed != 0;
             const ocel_status_t status = ocel_fit_cracks(cracks, used, &options, &one);
-            const bool arc = one.arc_coverage_q16 < 20U * 2048U;
+            const bool arc = one.arc_coverage_q16 < 27U * 2048U;
             TEST_ASSERT_EQUAL(((status == OCEL_OK) && arc) ? OCEL_PARTIAL : status,
                               ocel_fit_boundary(cracks, used, closed != 0, &two));
             TEST_ASSERT_TRUE(fit_same_bits(&one, &two));

@@ -22,8 +22,8 @@ extern "C" {
  * B2AC's own bias, which on arcs of 120 degrees is as large again (use
  * OCEL_FIT_HYPER there).  arc_coverage counts 32 sectors of the ellipse.
  *
- * A fit is vouched for when its points are said to be closed or cover 20/32 of
- * the turn (225 degrees).  A shorter arc wants agreement: B2AC (or LCSE) and
+ * A fit is vouched for when its points are said to be closed or cover 27/32 of
+ * the turn (304 degrees).  A shorter arc wants agreement: B2AC (or LCSE) and
  * hyper must put the centre in the same place, within 10 % of the semi-minor
  * axis, and below 11/32 of the turn (124 degrees) sigma must be under 5 % of it
  * too.  Exact points pass whatever their arc.
@@ -53,7 +53,7 @@ ocel_status_t ocel_fit_cracks(const ocel_crack_t *cracks, size_t count,
 
 /* B2AC on boundary cracks: what the eye runs, and all that it links.
  *   closed  the cracks are a whole closed boundary, so they cover the full turn;
- *           false: the arc is measured, and one under 20/32 of a turn is
+ *           false: the arc is measured, and one under 27/32 of a turn is
  *           OCEL_PARTIAL, for want of a second opinion.
  * Otherwise the bits of ocel_fit_cracks with OCEL_FIT_B2AC.  Statuses the same, but
  * OCEL_OVERFLOW also for what exact 64-bit sums might not hold: a disc of more
