@@ -14,8 +14,8 @@
 
 #include <ocellus/labeller.h>
 
-/* The inverse of 3 modulo 2^OCEL_MOMENT_BITS: it divides multiples of 3. */
-#define OCEL_INVERSE_OF_3 ((ocel_moment_t)(UINT64_MAX / 3U * 2U + 1U))
+/* The inverse of 3 modulo the moments' word: it divides multiples of 3. */
+#define OCEL_INVERSE_OF_3 ((ocel_moment_t)(((UINT64_MAX / 3U) * 2U) + 1U))
 
 /* Adds a run [start, end) of row y, start < end, to the sums.
  *
@@ -35,11 +35,11 @@ static inline void ocel_component_add(ocel_component_t *component, uint32_t star
     ocel_moment_t sum_yy = row * row;
 
     if (n != 1U) {
-        const ocel_moment_t s = (ocel_moment_t)start + end - 1U;
+        const ocel_moment_t s = ((ocel_moment_t)start + end) - 1U;
         const ocel_moment_t pixels = n;
 
         sum_x = (pixels * s) >> 1U;
-        sum_xx = ((pixels * ((3U * s * s) + (pixels * pixels) - 1U)) >> 2U) * OCEL_INVERSE_OF_3;
+        sum_xx = ((pixels * (((3U * s * s) + (pixels * pixels)) - 1U)) >> 2U) * OCEL_INVERSE_OF_3;
         sum_y = pixels * row;
         sum_yy *= pixels;
     }

@@ -7,18 +7,21 @@
 
 #include "int_math.h"
 
-uint32_t ocel_crack_take(const ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger) {
-    uint32_t cell = ledger->free;
+#define POOL_CELLS ((uint32_t)OCEL_MAX_CRACKS)
+#define FIT_POINTS ((uint32_t)OCEL_MAX_FIT_POINTS)
 
-    if (cell != OCEL_NO_CELL) {
-        ledger->free = (uint16_t)ocel_crack_link(pool, cell);
-    } else if (ledger->fresh < OCEL_MAX_CRACKS) {
-        cell = ledger->fresh;
+uint32_t ocel_crack_take(const ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger) {
+    uint32_t taken = ledger->free;
+
+    if (taken != OCEL_NO_CELL) {
+        ledger->free = (uint16_t)ocel_crack_link(pool, taken);
+    } else if (ledger->fresh < POOL_CELLS) {
+        taken = ledger->fresh;
         ledger->fresh++;
     } else {
         /* The pool is exhausted. */
     }
-    return cell;
+    return taken;
 }
 
 ocel_crack_pair_t ocel_crack_take_pair_slowly(ocel_crack_pool_t *pool,
@@ -62,25 +65,25 @@ static inline uint32_t column_of(uint32_t crack) {
 }
 
 /* The crack in a cell: its column and OCEL_CRACK_RIGHT. */
-static inline uint32_t crack_in(const ocel_crack_pool_t *pool, uint32_t cell) {
-    return (uint16_t)pool->cell[cell].x_hpx;
+static inline uint32_t crack_in(const ocel_crack_pool_t *pool, uint32_t at) {
+    return (uint16_t)pool->cells[at].x_hpx;
 }
 
 ocel_crack_count_t ocel_crack_count(const ocel_crack_pool_t *pool, uint32_t head) {
     const uint32_t start = column_of(crack_in(pool, head));
     ocel_crack_count_t count = {0U, 0U};
     uint32_t column = start;
-    uint32_t cell = head;
+    uint32_t at = head;
 
-    while (cell != OCEL_NO_CELL) { /* bound: OCEL_MAX_CRACKS */
-        const uint32_t next = column_of(crack_in(pool, cell));
+    while (at != OCEL_NO_CELL) { /* bound: OCEL_MAX_CRACKS */
+        const uint32_t next = column_of(crack_in(pool, at));
 
-        count.all += distance(column, next);
+        count.total += distance(column, next);
         count.vertical++;
         column = next;
-        cell = ocel_crack_link(pool, cell);
+        at = ocel_crack_link(pool, at);
     }
-    count.all += distance(column, start) + count.vertical;
+    count.total += distance(column, start) + count.vertical;
     return count;
 }
 
@@ -95,16 +98,16 @@ static void line_up(ocel_crack_pool_t *pool, uint32_t head) {
     uint32_t k = 0U;
 
     while (at != OCEL_NO_CELL) { /* bound: OCEL_MAX_CRACKS */
-        ocel_crack_t cell;
+        ocel_crack_t crack;
 
         while (at < k) { /* bound: OCEL_MAX_CRACKS in all rounds of the outer loop */
             at = ocel_crack_link(pool, at);
         }
-        cell = pool->cell[at];
-        pool->cell[at] = pool->cell[k];
-        pool->cell[k].x_hpx = cell.x_hpx;
+        crack = pool->cells[at];
+        pool->cells[at] = pool->cells[k];
+        pool->cells[k].x_hpx = crack.x_hpx;
         ocel_crack_set_link(pool, k, at);
-        at = (uint16_t)cell.y_hpx;
+        at = (uint16_t)crack.y_hpx;
         k++;
     }
 }
@@ -112,14 +115,14 @@ static void line_up(ocel_crack_pool_t *pool, uint32_t head) {
 /* Moves the chain's `count` cells to the pool's end, in order, so that all other
  * cells are in one piece.  Returns its head. */
 static uint32_t move_to_end(ocel_crack_pool_t *pool, uint32_t head, uint32_t count) {
-    const uint32_t first = OCEL_MAX_CRACKS - count;
+    const uint32_t first = POOL_CELLS - count;
     uint32_t link = OCEL_NO_CELL;
 
     line_up(pool, head);
     for (uint32_t i = count; i > 0U; i--) { /* bound: OCEL_MAX_CRACKS */
         const uint32_t to = first + (i - 1U);
 
-        pool->cell[to].x_hpx = pool->cell[i - 1U].x_hpx;
+        pool->cells[to].x_hpx = pool->cells[i - 1U].x_hpx;
         ocel_crack_set_link(pool, to, link);
         link = to;
     }
@@ -150,7 +153,7 @@ static inline void put_point(point_sink_t *sink, int32_t x_hpx, int32_t y_hpx) {
 static inline void put_horizontal(point_sink_t *sink, uint32_t from, uint32_t to, int32_t y_hpx) {
     const int32_t step = (from < to) ? 2 : -2;
     const uint32_t columns = distance(from, to);
-    int32_t x_hpx = (int32_t)(2U * from) + ((from < to) ? 0 : -2);
+    int32_t x_hpx = (2 * (int32_t)from) + ((from < to) ? 0 : -2);
 
     for (uint32_t i = 0U; i < columns; i++) { /* bound: OCEL_MAX_WIDTH */
         put_point(sink, x_hpx, y_hpx);
@@ -159,24 +162,24 @@ static inline void put_horizontal(point_sink_t *sink, uint32_t from, uint32_t to
 }
 
 /* Walks along the closed chain from `head`, in the row `bottom`, and writes every
- * stride-th crack from cell `first` on.  Returns how many. */
+ * stride-th crack from the cell `first` on.  Returns how many. */
 static uint32_t put_points(ocel_crack_pool_t *pool, uint32_t head, uint32_t bottom, uint32_t first,
                            uint32_t stride) {
     const uint32_t start = crack_in(pool, head);
-    point_sink_t sink = {&pool->cell[first], 0U, 1U, stride};
+    point_sink_t sink = {&pool->cells[first], 0U, 1U, stride};
     uint32_t crack = start;
-    uint32_t cell = head;
-    int32_t y_hpx = (int32_t)(2U * bottom);
+    uint32_t at = head;
+    int32_t y_hpx = 2 * (int32_t)bottom;
 
-    while (cell != OCEL_NO_CELL) { /* bound: OCEL_MAX_CRACKS */
+    while (at != OCEL_NO_CELL) { /* bound: OCEL_MAX_CRACKS */
         const int32_t half_down = ((crack & OCEL_CRACK_RIGHT) != 0U) ? 1 : -1;
         uint32_t next = start;
 
-        cell = ocel_crack_link(pool, cell);
-        if (cell != OCEL_NO_CELL) {
-            next = crack_in(pool, cell);
+        at = ocel_crack_link(pool, at);
+        if (at != OCEL_NO_CELL) {
+            next = crack_in(pool, at);
         }
-        put_point(&sink, (int32_t)(2U * column_of(crack)) - 1, y_hpx);
+        put_point(&sink, (2 * (int32_t)column_of(crack)) - 1, y_hpx);
         put_horizontal(&sink, column_of(crack), column_of(next), y_hpx + half_down);
         if (((crack ^ next) & OCEL_CRACK_RIGHT) == 0U) {
             y_hpx += 2 * half_down;
@@ -189,19 +192,18 @@ static uint32_t put_points(ocel_crack_pool_t *pool, uint32_t head, uint32_t bott
 ocel_crack_points_t ocel_crack_unroll(ocel_crack_pool_t *pool, const ocel_crack_ledger_t *ledger,
                                       uint32_t head, uint32_t bottom) {
     const ocel_crack_count_t count = ocel_crack_count(pool, head);
+    const uint32_t beside = POOL_CELLS - ledger->fresh;
+    const uint32_t over = POOL_CELLS - count.vertical;
+    const uint32_t room = (over < FIT_POINTS) ? over : FIT_POINTS;
     ocel_crack_points_t points = {ledger->fresh, 0U, 1U};
     uint32_t chain = head;
 
-    if ((count.all > (OCEL_MAX_CRACKS - points.first)) || (count.all > OCEL_MAX_FIT_POINTS)) {
-        const uint32_t free = OCEL_MAX_CRACKS - count.vertical;
-        const uint32_t room = (free < OCEL_MAX_FIT_POINTS) ? free : OCEL_MAX_FIT_POINTS;
+    if ((count.total > beside) || (count.total > room)) {
+        const uint32_t up = count.total + (room - 1U); /* < 2^30; not read when room is 0 */
 
         points.first = 0U;
-        points.stride = 0U;
-        if (room > 0U) {
-            chain = move_to_end(pool, head, count.vertical);
-            points.stride = (uint32_t)ocel_udiv64((uint64_t)count.all + (room - 1U), room);
-        }
+        points.stride = (room > 0U) ? (uint32_t)ocel_udiv64(up, room) : 0U;
+        chain = move_to_end(pool, head, count.vertical);
     }
     if (points.stride > 0U) {
         points.count = put_points(pool, chain, bottom, points.first, points.stride);

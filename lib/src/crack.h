@@ -32,24 +32,24 @@
  * otherwise fails to compile. */
 typedef char ocel_assert_wrapping_t[((int16_t)(uint16_t)OCEL_NO_CELL == -1) ? 1 : -1];
 
-static inline uint32_t ocel_crack_link(const ocel_crack_pool_t *pool, uint32_t cell) {
-    return (uint16_t)pool->cell[cell].y_hpx;
+static inline uint32_t ocel_crack_link(const ocel_crack_pool_t *pool, uint32_t at) {
+    return (uint16_t)pool->cells[at].y_hpx;
 }
 
-static inline void ocel_crack_set_link(ocel_crack_pool_t *pool, uint32_t cell, uint32_t link) {
-    pool->cell[cell].y_hpx = (int16_t)(uint16_t)link;
+static inline void ocel_crack_set_link(ocel_crack_pool_t *pool, uint32_t at, uint32_t link) {
+    pool->cells[at].y_hpx = (int16_t)(uint16_t)link;
 }
 
 /* A cell's crack: its column, 0 .. OCEL_MAX_WIDTH <= 4096, and for a right edge
  * this flag. */
 #define OCEL_CRACK_RIGHT 0x2000U
 
-static inline void ocel_crack_set_left(ocel_crack_pool_t *pool, uint32_t cell, uint32_t column) {
-    pool->cell[cell].x_hpx = (int16_t)column;
+static inline void ocel_crack_set_left(ocel_crack_pool_t *pool, uint32_t at, uint32_t column) {
+    pool->cells[at].x_hpx = (int16_t)column;
 }
 
-static inline void ocel_crack_set_right(ocel_crack_pool_t *pool, uint32_t cell, uint32_t column) {
-    pool->cell[cell].x_hpx = (int16_t)(column + OCEL_CRACK_RIGHT);
+static inline void ocel_crack_set_right(ocel_crack_pool_t *pool, uint32_t at, uint32_t column) {
+    pool->cells[at].x_hpx = (int16_t)(uint16_t)(column + OCEL_CRACK_RIGHT);
 }
 
 /* Two linked cells, the shortest chain there is. */
@@ -97,7 +97,7 @@ void ocel_crack_give_from(ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger, 
 /* The cracks of a closed boundary. */
 typedef struct {
     uint32_t vertical; /* one a cell */
-    uint32_t all;      /* at most OCEL_MAX_CRACKS * (1 + OCEL_MAX_WIDTH) < 2^29 */
+    uint32_t total;    /* at most OCEL_MAX_CRACKS * (1 + OCEL_MAX_WIDTH) < 2^29 */
 } ocel_crack_count_t;
 
 /* Counts the cracks of the closed boundary that is the chain from `head`. */

@@ -57,8 +57,12 @@
 /* The place in the frontier that is before its first run and after its last. */
 #define LIST_END 0U
 
-/* Values that memory which was never initialised is unlikely to hold. */
-enum { STATE_NONE = 0, STATE_ROWS = 0x0CE1, STATE_ENDED = 0x0CE2, STATE_UNROLLED = 0x0CE3 };
+/* The labeller's states: values that memory which was never initialised is
+ * unlikely to hold. */
+#define STATE_NONE 0U
+#define STATE_ROWS 0x0CE1U
+#define STATE_ENDED 0x0CE2U
+#define STATE_UNROLLED 0x0CE3U
 
 /* Where components that end are reported; blob is null when nobody asks. */
 typedef struct {
@@ -545,18 +549,22 @@ static void sweep_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint3
 
 /* ---- The interface ---- */
 
+static bool is_side(uint32_t side, uint32_t limit) {
+    return (side > 0U) && (side <= limit);
+}
+
 ocel_status_t ocel_label_begin(ocel_labeller_t *labeller, ocel_crack_pool_t *pool, uint16_t width,
                                uint16_t height, ocel_connectivity_t connectivity) {
     const ocel_label_stats_t none = {0U, 0U, 0U, 0U, 0U};
     ocel_status_t status = OCEL_OK;
 
     if ((labeller == NULL) || (pool == NULL)) {
-        return OCEL_NULL_ARGUMENT;
-    }
-    labeller->state = STATE_NONE;
-    if ((width == 0U) || (width > OCEL_MAX_WIDTH) || (height == 0U) || (height > OCEL_MAX_HEIGHT)) {
+        status = OCEL_NULL_ARGUMENT;
+    } else if ((!is_side(width, OCEL_MAX_WIDTH)) || (!is_side(height, OCEL_MAX_HEIGHT))) {
+        labeller->state = STATE_NONE;
         status = OCEL_BAD_SIZE;
     } else if ((connectivity != OCEL_CONNECT_8) && (connectivity != OCEL_CONNECT_4)) {
+        labeller->state = STATE_NONE;
         status = OCEL_BAD_OPTION;
     } else {
         labeller->frontier.start[LIST_END] = 0xFFFFU;
@@ -584,46 +592,48 @@ ocel_status_t ocel_label_begin(ocel_labeller_t *labeller, ocel_crack_pool_t *poo
 ocel_status_t ocel_label_row(ocel_labeller_t *labeller, ocel_crack_pool_t *pool,
                              const uint32_t *row, ocel_blob_t *ended, size_t *ended_count) {
     ended_list_t list = {ended, 0U};
+    ocel_status_t status = OCEL_OK;
 
     if ((labeller == NULL) || (pool == NULL) || (row == NULL) ||
         ((ended != NULL) && (ended_count == NULL))) {
-        return OCEL_NULL_ARGUMENT;
+        status = OCEL_NULL_ARGUMENT;
+    } else if ((labeller->state != STATE_ROWS) || (labeller->next_row == labeller->height)) {
+        status = OCEL_BAD_ORDER;
+    } else {
+        if ((labeller->frontier.next[LIST_END] != LIST_END) ||
+            (!ocel_run_row_is_empty(row, labeller->width))) {
+            sweep_row(labeller, pool, row, labeller->width, &list);
+        }
+        labeller->next_row++;
+        if (ended_count != NULL) {
+            *ended_count = list.count;
+        }
     }
-    if ((labeller->state != STATE_ROWS) || (labeller->next_row == labeller->height)) {
-        return OCEL_BAD_ORDER;
-    }
-    if ((labeller->frontier.next[LIST_END] != LIST_END) ||
-        (!ocel_run_row_is_empty(row, labeller->width))) {
-        sweep_row(labeller, pool, row, labeller->width, &list);
-    }
-    labeller->next_row++;
-    if (ended_count != NULL) {
-        *ended_count = list.count;
-    }
-    return OCEL_OK;
+    return status;
 }
 
 ocel_status_t ocel_label_end(ocel_labeller_t *labeller, ocel_crack_pool_t *pool, ocel_blob_t *ended,
                              size_t *ended_count, ocel_blob_t *largest) {
     ended_list_t list = {ended, 0U};
-    ocel_status_t status = OCEL_NOT_SEEN;
+    ocel_status_t status = OCEL_OK;
 
     if ((labeller == NULL) || (pool == NULL) || ((ended != NULL) && (ended_count == NULL))) {
-        return OCEL_NULL_ARGUMENT;
-    }
-    if ((labeller->state != STATE_ROWS) || (labeller->next_row != labeller->height)) {
-        return OCEL_BAD_ORDER;
-    }
-    sweep_row(labeller, pool, NULL, 0U, &list);
-    labeller->state = STATE_ENDED;
-    if (ended_count != NULL) {
-        *ended_count = list.count;
-    }
-    if (labeller->best.area != 0U) {
-        status = OCEL_OK;
-        if (largest != NULL) {
+        status = OCEL_NULL_ARGUMENT;
+    } else if ((labeller->state != STATE_ROWS) || (labeller->next_row != labeller->height)) {
+        status = OCEL_BAD_ORDER;
+    } else {
+        sweep_row(labeller, pool, NULL, 0U, &list);
+        labeller->state = STATE_ENDED;
+        if (ended_count != NULL) {
+            *ended_count = list.count;
+        }
+        if (labeller->best.area == 0U) {
+            status = OCEL_NOT_SEEN;
+        } else if (largest != NULL) {
             *largest = ocel_component_blob(&labeller->best, labeller->best_bottom, labeller->width,
                                            labeller->height);
+        } else {
+            /* Nobody asks which. */
         }
     }
     return status;
@@ -640,9 +650,11 @@ ocel_label_stats_t ocel_label_stats(const ocel_labeller_t *labeller) {
 }
 
 /* sum / area in Q16 to the nearest.  sum < 2^12 * area, so the result is below
- * 2^28; area < 2^25, so sum * 2^16 + area / 2 < 2^54. */
+ * 2^28; area <= 2^24, so sum * 2^16 + area / 2 < 2^53. */
 static int32_t mean_q16(uint64_t sum, uint32_t area) {
-    return (int32_t)ocel_udiv64((sum << 16U) + (area / 2U), area);
+    const uint64_t half = (uint64_t)area >> 1U;
+
+    return (int32_t)ocel_udiv64((sum << 16U) + half, area);
 }
 
 void ocel_blob_centroid(const ocel_blob_t *blob, int32_t *cx_px_q16, int32_t *cy_px_q16) {
@@ -658,28 +670,29 @@ void ocel_blob_centroid(const ocel_blob_t *blob, int32_t *cx_px_q16, int32_t *cy
 
 ocel_status_t ocel_label_boundary(ocel_labeller_t *labeller, ocel_crack_pool_t *pool,
                                   const ocel_crack_t **cracks, size_t *count, size_t *stride) {
-    ocel_crack_points_t points;
+    ocel_crack_points_t points = {0U, 0U, 0U};
+    ocel_status_t status = OCEL_OK;
 
     if ((labeller == NULL) || (pool == NULL) || (cracks == NULL) || (count == NULL)) {
-        return OCEL_NULL_ARGUMENT;
+        status = OCEL_NULL_ARGUMENT;
+    } else {
+        if (labeller->state != STATE_ENDED) {
+            status = OCEL_BAD_ORDER;
+        } else if (labeller->best.area == 0U) {
+            status = OCEL_NOT_SEEN;
+        } else if (labeller->best_head == OCEL_NO_CELL) {
+            status = OCEL_OVERFLOW;
+        } else {
+            points = ocel_crack_unroll(pool, &labeller->ledger, labeller->best_head,
+                                       labeller->best_bottom);
+            labeller->state = STATE_UNROLLED;
+            status = (points.stride != 0U) ? OCEL_OK : OCEL_OVERFLOW;
+        }
+        *cracks = &pool->cells[points.first];
+        *count = points.count;
+        if (stride != NULL) {
+            *stride = points.stride;
+        }
     }
-    *cracks = pool->cell;
-    *count = 0U;
-    if (labeller->state != STATE_ENDED) {
-        return OCEL_BAD_ORDER;
-    }
-    if (labeller->best.area == 0U) {
-        return OCEL_NOT_SEEN;
-    }
-    if (labeller->best_head == OCEL_NO_CELL) {
-        return OCEL_OVERFLOW;
-    }
-    points = ocel_crack_unroll(pool, &labeller->ledger, labeller->best_head, labeller->best_bottom);
-    labeller->state = STATE_UNROLLED;
-    *cracks = &pool->cell[points.first];
-    *count = points.count;
-    if (stride != NULL) {
-        *stride = points.stride;
-    }
-    return (points.stride != 0U) ? OCEL_OK : OCEL_OVERFLOW;
+    return status;
 }

@@ -171,7 +171,7 @@ static inline ocel_status_t check_boundary(const mask_t *mask, int connectivity,
     }
     TEST_ASSERT_EQUAL_MESSAGE(OCEL_OK, status, where);
     TEST_ASSERT_TRUE_MESSAGE(
-        (cracks >= pool.cell) && (cracks + count <= pool.cell + OCEL_MAX_CRACKS), where);
+        (cracks >= pool.cells) && (cracks + count <= pool.cells + OCEL_MAX_CRACKS), where);
     room = OCEL_MAX_CRACKS - vertical;
     room = (room < OCEL_MAX_FIT_POINTS) ? room : OCEL_MAX_FIT_POINTS;
     TEST_ASSERT_EQUAL_MESSAGE((all + room - 1) / room, stride, where);

@@ -104,9 +104,9 @@ static void test_links_and_columns_of_every_size(void) {
     }
     for (uint32_t column = 0U; column <= 4096U; column++) {
         ocel_crack_set_left(&pool, 3U, column);
-        TEST_ASSERT_EQUAL_INT16(column, pool.cell[3].x_hpx);
+        TEST_ASSERT_EQUAL_INT16(column, pool.cells[3].x_hpx);
         ocel_crack_set_right(&pool, 3U, column);
-        TEST_ASSERT_EQUAL_INT16(column | OCEL_CRACK_RIGHT, pool.cell[3].x_hpx);
+        TEST_ASSERT_EQUAL_INT16(column | OCEL_CRACK_RIGHT, pool.cells[3].x_hpx);
     }
 }
 
@@ -222,7 +222,7 @@ static void assert_box(ocel_crack_points_t points, uint32_t left, uint32_t right
     TEST_ASSERT_LESS_OR_EQUAL(OCEL_MAX_CRACKS, points.first + points.count);
     for (uint32_t i = 0U; i < points.count; i++) {
         const ocel_crack_t expected = box_crack(i * points.stride, left, right, rows, bottom);
-        const ocel_crack_t actual = pool.cell[points.first + i];
+        const ocel_crack_t actual = pool.cells[points.first + i];
 
         TEST_ASSERT_EQUAL_INT16(expected.x_hpx, actual.x_hpx);
         TEST_ASSERT_EQUAL_INT16(expected.y_hpx, actual.y_hpx);
@@ -237,7 +237,7 @@ static void test_counting(void) {
     }
     const ocel_crack_count_t count = ocel_crack_count(&pool, lay_box(place, 3U, 50U, 10U));
     TEST_ASSERT_EQUAL_UINT32(20U, count.vertical);
-    TEST_ASSERT_EQUAL_UINT32(2U * (10U + 47U), count.all);
+    TEST_ASSERT_EQUAL_UINT32(2U * (10U + 47U), count.total);
 }
 
 static void test_beside_the_used_cells_when_there_is_room(void) {

@@ -15,7 +15,7 @@
 #endif
 
 /* Tallest image, in pixels.  Costs no memory by itself; together with the
- * width it decides how wide the moment sums are (OCEL_MOMENT_BITS). */
+ * width it decides how wide the moment sums are (ocel_moment_t). */
 #ifndef OCEL_MAX_HEIGHT
 #define OCEL_MAX_HEIGHT 240
 #endif

@@ -26,10 +26,8 @@ extern "C" {
 /* Sums of x^2 over a whole frame: width^3 / 3 * height.  32 bits hold them up
  * to 320x240 (2.61e9); a larger configuration takes 64. */
 #if ((OCEL_MAX_WIDTH <= 320) && (OCEL_MAX_HEIGHT <= 240))
-#define OCEL_MOMENT_BITS 32
 typedef uint32_t ocel_moment_t;
 #else
-#define OCEL_MOMENT_BITS 64
 typedef uint64_t ocel_moment_t;
 #endif
 
@@ -100,7 +98,7 @@ typedef struct {
  * chain: x_hpx holds its column and side, y_hpx the link to the next cell
  * (crack.h).  Afterwards the cells hold the winner's boundary, in order. */
 typedef struct {
-    ocel_crack_t cell[OCEL_MAX_CRACKS];
+    ocel_crack_t cells[OCEL_MAX_CRACKS];
 } ocel_crack_pool_t;
 
 /* One frame's labelling.  No pointers inside: it may be copied, with its pool,
