@@ -93,6 +93,13 @@ ocel_status_t ocel_colour_compile(ocel_colour_t *colour, const ocel_colour_range
 ocel_status_t ocel_colour_row(const ocel_colour_t *colour, const uint8_t *line, size_t line_bytes,
                               uint16_t width, uint32_t *row);
 
+/* Tests one RGB565 line by a table alone, which may be const and made elsewhere:
+ * all that a firmware links for colour then.  The bits of ocel_colour_row; line,
+ * line_bytes, width and row as there.
+ * OCEL_NULL_ARGUMENT, OCEL_BAD_SIZE, OCEL_BAD_STRIDE  as there */
+ocel_status_t ocel_colour_table_row(const ocel_colour_table_t *table, const uint8_t *line,
+                                    size_t line_bytes, uint16_t width, uint32_t *row);
+
 /* ---- Teaching: the range that covers a rectangle's pixels ---- */
 
 /* Counts while the taught rectangle is read: caller-owned, about 5.1 KB.  Opaque. */
