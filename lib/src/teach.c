@@ -66,32 +66,22 @@ static ocel_pixel_t read_yuyv(const uint8_t *line, uint32_t x) {
 
 /* R, G, B of pixel x. */
 static ocel_pixel_t read_as_rgb(ocel_format_t format, const uint8_t *line, uint32_t x) {
-    ocel_pixel_t rgb = {{0U, 0U, 0U}};
+    ocel_pixel_t rgb;
 
-    switch (format) {
-    case OCEL_FORMAT_RGB565:
+    if (format == OCEL_FORMAT_RGB565) {
         rgb = ocel_pixel_from_rgb565(ocel_load16(&line[2U * x]));
-        break;
-    case OCEL_FORMAT_RGB888:
-        rgb.c[0] = line[3U * x];
-        rgb.c[1] = line[(3U * x) + 1U];
-        rgb.c[2] = line[(3U * x) + 2U];
-        break;
-    case OCEL_FORMAT_BGR888:
-        rgb.c[0] = line[(3U * x) + 2U];
-        rgb.c[1] = line[(3U * x) + 1U];
-        rgb.c[2] = line[3U * x];
-        break;
-    case OCEL_FORMAT_YUYV:
-        rgb = read_yuyv(line, x);
-        rgb = ocel_pixel_from_yuv(&rgb);
-        break;
-    case OCEL_FORMAT_GRAY8:
-    default:
-        rgb.c[0] = line[x];
-        rgb.c[1] = line[x];
-        rgb.c[2] = line[x];
-        break;
+    } else if (format == OCEL_FORMAT_YUYV) {
+        const ocel_pixel_t yuv = read_yuyv(line, x);
+
+        rgb = ocel_pixel_from_yuv(&yuv);
+    } else {
+        const uint32_t first = (format == OCEL_FORMAT_GRAY8) ? x : (3U * x);
+        const uint32_t step = (format == OCEL_FORMAT_GRAY8) ? 0U : 1U;
+        const bool is_bgr = format == OCEL_FORMAT_BGR888;
+
+        for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 channels */
+            rgb.c[k] = line[first + (step * (is_bgr ? (2U - k) : k))];
+        }
     }
     return rgb;
 }
