@@ -15,7 +15,7 @@
 #define NOTHING_Q60 ((int64_t)0x10000)
 
 /* 4AC - B^2 below 2^-28 of (A + C)^2: an axis ratio under 2^-15, a parabola. */
-#define FLAT_Q60 ((int64_t)0x100000000)
+#define FLAT_Q60 ((int64_t)4294967296)
 
 /* |D|, |E| < 2^10 in Q48: beyond, the centre is far outside the points. */
 #define LINEAR_MAX_Q48 ((int64_t)0x400000000000000)

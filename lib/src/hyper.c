@@ -28,7 +28,7 @@
 
 /* |A + C| at least 2^-12 of the largest coefficient; 4AC - B^2 >= 2^-28. */
 #define ROUND_MIN_BITS 12U
-#define FLAT_Q60 ((int64_t)0x100000000)
+#define FLAT_Q60 ((int64_t)4294967296)
 
 /* Coefficients are kept with the largest in [2^57, 2^58): a quarter, so that
  * five of them times entries of 1.01 stay below 2. */

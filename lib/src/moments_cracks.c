@@ -8,7 +8,7 @@
 
 /* Sums of squares below 2^31 make every square so, and every quartic sum at most
  * their product, 2^62.  A disc of radius R sums to 16 R^3: R < 512 px. */
-#define SQUARES_MAX ((int64_t)0x80000000)
+#define SQUARES_MAX ((int64_t)2147483648)
 
 /* Powers of x and of y in each moment, in the order of OCEL_M_*. */
 static const uint8_t power_x[OCEL_M_COUNT] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0, 4, 3, 2, 1, 0};
@@ -90,9 +90,9 @@ static void frame_of_powers(ocel_frame_t *frame, uint32_t ex, uint32_t ey) {
     const uint32_t larger = (ex > ey) ? ex : ey;
 
     frame->scale_log2 = (int32_t)larger + 1; /* so that G is at most 1/2 */
-    frame->g11_q60 = (int64_t)1 << (59U - (larger - ex));
+    frame->g11_q60 = ocel_shl64(1, 59U - (larger - ex));
     frame->g21_q60 = 0;
-    frame->g22_q60 = (int64_t)1 << (59U - (larger - ey));
+    frame->g22_q60 = ocel_shl64(1, 59U - (larger - ey));
 }
 
 /* The scale exponent of one axis: the least e with sum_4 <= 2^(4 e + en), so

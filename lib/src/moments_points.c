@@ -19,7 +19,7 @@
 
 /* The steepest shear, 4.0.  Any shear is right (the fit is affine invariant or
  * knows the frame's metric); a steeper one would only lengthen the products. */
-#define SHEAR_MAX ((int64_t)4 << SHEAR_BITS)
+#define SHEAR_MAX ((int64_t)0x400000)
 
 /* The perturbation is defined on 26 fraction bits. */
 #define PERTURB_BITS (UNIT_BITS - 26U)
@@ -125,8 +125,8 @@ static ocel_pair_t framed_point(const ocel_source_t *source, const normal_t *nor
         int32_t y_q26 = (int32_t)ocel_shift_round64(p.y, PERTURB_BITS);
 
         ocel_perturb_point(&x_q26, &y_q26);
-        p.x = (int64_t)x_q26 * (1 << PERTURB_BITS);
-        p.y = (int64_t)y_q26 * (1 << PERTURB_BITS);
+        p.x = ocel_shl64(x_q26, PERTURB_BITS);
+        p.y = ocel_shl64(y_q26, PERTURB_BITS);
     }
     return p;
 }
