@@ -128,9 +128,11 @@ limit ".data and .bss together" $(($(column m4_O2 "" 2) + $(column m4_O2 "" 3)))
     echo "| a program that calls | cortex-m4 -O2 | cortex-m4 -Os | cortex-m0 -Os |"
     echo "|---|--:|--:|--:|"
     linked_row "the eye, on binary rows" ocel_eye_init ocel_eye_begin ocel_eye_row ocel_eye_end
-    linked_row "the eye, on camera lines of any format (limit $limit_code)" \
-        ocel_eye_init ocel_colour_compile ocel_eye_frame
+    linked_row "the eye, on RGB565 lines by a const table (limit $limit_code)" \
+        ocel_eye_init ocel_eye_begin ocel_colour_table_row ocel_eye_row ocel_eye_end
     code="$linked_O2"
+    linked_row "the eye, on camera lines of any format" \
+        ocel_eye_init ocel_colour_compile ocel_eye_frame
     linked_row "the labeller alone" ocel_label_begin ocel_label_row ocel_label_end
     linked_row "\`ocel_fit_boundary\` alone" ocel_fit_boundary
     linked_row "\`ocel_fit_points\` alone, every method" ocel_fit_points
