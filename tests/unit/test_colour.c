@@ -782,44 +782,6 @@ static void test_row_hostile(void) {
     TEST_ASSERT_EQUAL_HEX32(0xFFU, row[0]);
 }
 
-/* A table alone gives the same bits as the compiled colour, every tail included. */
-static void test_table_row(void) {
-    const ocel_colour_range_t range = {OCEL_SPACE_HSV, {300U, 40U, 30U}, {60U, 255U, 255U}};
-    ocel_colour_t colour;
-    rng_t rng = rng_seed(SEED);
-    TEST_ASSERT_EQUAL(OCEL_OK, ocel_colour_compile(&colour, &range, OCEL_FORMAT_RGB565, &table));
-    for (int width = 1; width <= OCEL_MAX_WIDTH; width++) {
-        uint32_t want[OCEL_ROW_WORDS + 1];
-        uint32_t got[OCEL_ROW_WORDS + 1];
-        const size_t bytes = 2U * (size_t)width;
-        uint8_t *const line = malloc(bytes);
-        TEST_ASSERT_NOT_NULL(line);
-        for (size_t k = 0U; k < bytes; k++) {
-            line[k] = (uint8_t)rng_below(&rng, 256U);
-        }
-        memset(want, 0xA5, sizeof want);
-        memset(got, 0xA5, sizeof got);
-        TEST_ASSERT_EQUAL(OCEL_OK, ocel_colour_row(&colour, line, bytes, (uint16_t)width, want));
-        TEST_ASSERT_EQUAL(OCEL_OK,
-                          ocel_colour_table_row(&table, line, bytes, (uint16_t)width, got));
-        free(line);
-        TEST_ASSERT_EQUAL_HEX32_ARRAY(want, got, OCEL_ROW_WORDS + 1);
-    }
-}
-
-static void test_table_row_hostile(void) {
-    const uint8_t line[2 * (OCEL_MAX_WIDTH + 1)] = {0U};
-    uint32_t row[OCEL_ROW_WORDS] = {GUARD};
-    const uint16_t wide = OCEL_MAX_WIDTH + 1;
-    TEST_ASSERT_EQUAL(OCEL_NULL_ARGUMENT, ocel_colour_table_row(NULL, line, 16U, 8U, row));
-    TEST_ASSERT_EQUAL(OCEL_NULL_ARGUMENT, ocel_colour_table_row(&table, NULL, 16U, 8U, row));
-    TEST_ASSERT_EQUAL(OCEL_NULL_ARGUMENT, ocel_colour_table_row(&table, line, 16U, 8U, NULL));
-    TEST_ASSERT_EQUAL(OCEL_BAD_SIZE, ocel_colour_table_row(&table, line, 16U, 0U, row));
-    TEST_ASSERT_EQUAL(OCEL_BAD_SIZE, ocel_colour_table_row(&table, line, sizeof line, wide, row));
-    TEST_ASSERT_EQUAL(OCEL_BAD_STRIDE, ocel_colour_table_row(&table, line, 15U, 8U, row));
-    TEST_ASSERT_EQUAL_HEX32(GUARD, row[0]);
-}
-
 /* A compiled colour may be copied; the same input gives the same bits. */
 static void test_copies_and_repeats(void) {
     const ocel_colour_range_t range = {OCEL_SPACE_HSV, {340U, 90U, 60U}, {20U, 255U, 255U}};
@@ -863,8 +825,6 @@ int main(void) {
     RUN_TEST(test_compile_hostile);
     RUN_TEST(test_compile_ignores_what_it_does_not_use);
     RUN_TEST(test_row_hostile);
-    RUN_TEST(test_table_row);
-    RUN_TEST(test_table_row_hostile);
     RUN_TEST(test_copies_and_repeats);
     return UNITY_END();
 }
