@@ -22,23 +22,21 @@ void ocel_component_merge(ocel_component_t *whole, const ocel_component_t *part)
     }
 }
 
-ocel_blob_t ocel_component_blob(const ocel_component_t *component, uint32_t bottom, uint32_t width,
-                                uint32_t height) {
+void ocel_component_blob(const ocel_component_t *component, uint32_t bottom, uint32_t width,
+                         uint32_t height, ocel_blob_t *blob) {
     const uint32_t top = component->first >> 16U;
-    ocel_blob_t blob;
 
-    blob.box.left = component->left;
-    blob.box.top = (uint16_t)top;
-    blob.box.width = (uint16_t)(component->end - component->left);
-    blob.box.height = (uint16_t)((bottom - top) + 1U);
-    blob.first_x = (uint16_t)(component->first & 0xFFFFU);
-    blob.touches_edge = (component->left == 0U) || (top == 0U) || (component->end == width) ||
-                        ((bottom + 1U) == height);
-    blob.area = component->area;
-    blob.sum_x = component->sum_x;
-    blob.sum_y = component->sum_y;
-    blob.sum_xx = component->sum_xx;
-    blob.sum_xy = component->sum_xy;
-    blob.sum_yy = component->sum_yy;
-    return blob;
+    blob->box.left = component->left;
+    blob->box.top = (uint16_t)top;
+    blob->box.width = (uint16_t)(component->end - component->left);
+    blob->box.height = (uint16_t)((bottom - top) + 1U);
+    blob->first_x = (uint16_t)(component->first & 0xFFFFU);
+    blob->touches_edge = (component->left == 0U) || (top == 0U) || (component->end == width) ||
+                         ((bottom + 1U) == height);
+    blob->area = component->area;
+    blob->sum_x = component->sum_x;
+    blob->sum_y = component->sum_y;
+    blob->sum_xx = component->sum_xx;
+    blob->sum_xy = component->sum_xy;
+    blob->sum_yy = component->sum_yy;
 }

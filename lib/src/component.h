@@ -86,7 +86,7 @@ static inline bool ocel_component_beats(const ocel_component_t *a, const ocel_co
 }
 
 /* The component as a blob; its last row is `bottom`. */
-ocel_blob_t ocel_component_blob(const ocel_component_t *component, uint32_t bottom, uint32_t width,
-                                uint32_t height);
+void ocel_component_blob(const ocel_component_t *component, uint32_t bottom, uint32_t width,
+                         uint32_t height, ocel_blob_t *blob);
 
 #endif

@@ -198,7 +198,7 @@ static void end_component(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_
 
     lab->stats.components++;
     if (ended->blob != NULL) {
-        ended->blob[ended->count] = ocel_component_blob(component, bottom, lab->width, lab->height);
+        ocel_component_blob(component, bottom, lab->width, lab->height, &ended->blob[ended->count]);
         ended->count++;
     }
     if (ocel_component_beats(component, &lab->best)) {
@@ -630,8 +630,8 @@ ocel_status_t ocel_label_end(ocel_labeller_t *labeller, ocel_crack_pool_t *pool,
         if (labeller->best.area == 0U) {
             status = OCEL_NOT_SEEN;
         } else if (largest != NULL) {
-            *largest = ocel_component_blob(&labeller->best, labeller->best_bottom, labeller->width,
-                                           labeller->height);
+            ocel_component_blob(&labeller->best, labeller->best_bottom, labeller->width,
+                                labeller->height, largest);
         } else {
             /* Nobody asks which. */
         }

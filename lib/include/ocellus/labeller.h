@@ -102,18 +102,9 @@ typedef struct {
 } ocel_crack_pool_t;
 
 /* One frame's labelling.  No pointers inside: it may be copied, with its pool,
- * while a frame is in hand, and the copy goes on by itself. */
+ * while a frame is in hand, and the copy goes on by itself.  (What is single
+ * stands first: small offsets make small instructions.) */
 typedef struct {
-    ocel_frontier_t frontier;
-    uint16_t parent[OCEL_MAX_LABELS]; /* union-find: itself when a root; next free when free */
-    uint16_t live[OCEL_MAX_LABELS];   /* root: its runs in the frontier, and a flag (label.c) */
-    ocel_component_t component[OCEL_MAX_LABELS];
-    ocel_component_t best; /* the largest that has ended, when its area is not 0 */
-    ocel_label_stats_t stats;
-    ocel_crack_ledger_t ledger;
-    uint16_t best_bottom; /* its last row */
-    uint16_t best_head;   /* its boundary: first and last cell */
-    uint16_t best_tail;
     uint16_t width;
     uint16_t height;
     uint16_t next_row;
@@ -123,6 +114,16 @@ typedef struct {
     uint16_t fresh_run;
     uint16_t free_label;
     uint16_t merged_label; /* labels merged away in this row, linked through live */
+    uint16_t best_bottom;  /* of the largest: its last row */
+    uint16_t best_head;    /* and its boundary's first and last cell */
+    uint16_t best_tail;
+    ocel_crack_ledger_t ledger;
+    ocel_label_stats_t stats;
+    ocel_component_t best; /* the largest that has ended, when its area is not 0 */
+    ocel_frontier_t frontier;
+    uint16_t parent[OCEL_MAX_LABELS]; /* union-find: itself when a root; next free when free */
+    uint16_t live[OCEL_MAX_LABELS];   /* root: its runs in the frontier, and a flag (label.c) */
+    ocel_component_t component[OCEL_MAX_LABELS];
 } ocel_labeller_t;
 
 #ifdef __cplusplus
