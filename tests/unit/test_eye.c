@@ -305,6 +305,10 @@ static void test_the_boundary_that_was_fitted(void) {
     TEST_ASSERT_EQUAL(OCEL_OK, ocel_eye_begin(&eye));
     TEST_ASSERT_NULL(ocel_eye_boundary(&eye, &count));
     TEST_ASSERT_EQUAL(0U, count);
+    /* Nor is it there after a frame in which nothing is seen. */
+    mask_clear(&mask, W, H);
+    TEST_ASSERT_EQUAL(OCEL_NOT_SEEN, detect());
+    TEST_ASSERT_NULL(ocel_eye_boundary(&eye, &count));
     TEST_ASSERT_NULL(ocel_eye_boundary(NULL, &count));
     TEST_ASSERT_NULL(ocel_eye_boundary(NULL, NULL));
 }
