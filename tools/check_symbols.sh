@@ -97,34 +97,31 @@ done
 mapfile -t sources < <(grep -v '^#' lib/sources.txt)
 # Without -mgeneral-regs-only the compiler may keep a 64-bit integer in a register
 # of the FPU: loads, stores and moves, never arithmetic or a conversion.
-for source in "${sources[@]}"; do
-    $arm-gcc -std=c99 -O2 -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -Ilib/include \
-        -c "lib/$source" -o "$work/hard.o" || complain "lib/$source does not compile"
-    found="$(v_instructions "$work/hard.o" . | grep -vE '^( *[0-9]+ v(ldr|str|push|pop|mov|ldmia|stmia)(\.[a-z0-9]+)?)* *$')"
-    [ -n "$found" ] && complain "lib/$source: floating-point arithmetic: $found"
-done
-
 cat >"$work/poison.h" <<'POISON'
 #pragma GCC poison float double malloc calloc realloc alloca setjmp longjmp goto
 POISON
-variants=("" "-DOCEL_MAX_WIDTH=4096 -DOCEL_MAX_HEIGHT=4096 -DOCEL_MAX_CRACKS=65534")
-for variant in "${variants[@]}"; do
-    rm -f "$work"/*.o "$work/host.a"
-    for source in "${sources[@]}"; do
-        # shellcheck disable=SC2086  # the variant's definitions are words
-        gcc -std=c99 -O2 -Ilib/include $variant -c "lib/$source" -o "$work/$(basename "$source" .c).o" ||
-            complain "lib/$source does not compile"
-        # shellcheck disable=SC2086
-        gcc -std=c99 -O2 -Ilib/include $variant -mgeneral-regs-only -include "$work/poison.h" \
-            -fsyntax-only "lib/$source" ||
-            complain "lib/$source uses floating point or the heap (see the line above)"
-        # shellcheck disable=SC2086
-        gcc -std=c99 -O2 -Ilib/include $variant -mgeneral-regs-only -c "lib/$source" -o /dev/null ||
-            complain "lib/$source does not compile with -mgeneral-regs-only"
-    done
-    ar rcs "$work/host.a" "$work"/*.o
-    check_undefined "$work/host.a" nm any
-    check_sections "$work/host.a" objdump
+hard="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
+large="-DOCEL_MAX_WIDTH=4096 -DOCEL_MAX_HEIGHT=4096 -DOCEL_MAX_CRACKS=65534"
+mkdir "$work/hard" "$work/host" "$work/large" "$work/poisoned"
+for source in "${sources[@]}"; do
+    object="$(basename "$source" .c).o"
+    cc="-std=c99 -O2 -Ilib/include -c lib/$source -o $work"
+    echo "$arm-gcc $hard $cc/hard/$object"
+    echo "gcc $cc/host/$object"
+    echo "gcc $large $cc/large/$object"
+    echo "gcc -mgeneral-regs-only -include $work/poison.h $cc/poisoned/$object"
+    echo "gcc $large -mgeneral-regs-only -include $work/poison.h $cc/poisoned/large_$object"
+done | xargs -P 2 -I COMMAND sh -c 'COMMAND || { echo "  in: COMMAND" >&2; exit 1; }' ||
+    complain "uses floating point or the heap, or does not compile (see above)"
+for object in "$work"/hard/*.o; do
+    found="$(v_instructions "$object" . |
+        grep -vE '^( *[0-9]+ v(ldr|str|push|pop|mov|ldmia|stmia)(\.[a-z0-9]+)?)* *$')"
+    [ -n "$found" ] && complain "$(basename "$object" .o).c: floating-point arithmetic: $found"
+done
+for variant in host large; do
+    ar rcs "$work/$variant.a" "$work/$variant"/*.o
+    check_undefined "$work/$variant.a" nm any
+    check_sections "$work/$variant.a" objdump
     archives=$((archives + 1))
 done
 

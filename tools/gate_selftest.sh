@@ -51,9 +51,13 @@ caught() {
     fi
     restore
 }
-restore() {
-    rm -rf lib
-    cp -r lib.clean lib
+restore() { # only what differs, so that the next build is of that alone
+    local file
+    diff -rq lib.clean lib | sed -n 's,^Files lib.clean/\(.*\) and .*,\1,p; s,^Only in lib\(.*\): \(.*\),\1/\2,p' |
+        while read -r file; do
+            rm -rf "lib/$file"
+            [ ! -e "lib.clean/$file" ] || cp "lib.clean/$file" "lib/$file"
+        done
     cp README.clean README.md
 }
 seed() { cat >>"lib/src/status.c"; } # code from stdin at the end of a module
@@ -109,8 +113,17 @@ caught "a call through a pointer" "through a pointer" tools/sizes.sh
 seed <<<'int ocel_seed(int n); int ocel_seed(int n) { volatile char big[1200]; big[n] = 1; return big[0]; }'
 sed -i '/^const char \*ocel_status_name/i int ocel_seed(int n);' lib/include/ocellus/status.h
 caught "a deep stack" "over 1024" tools/sizes.sh
-seed <<<'const char ocel_seed[16384] = {1};'
-caught "too much code" "the code" tools/sizes.sh
+sed -i '1i #define ocel_label_begin ocel_seed_begin' lib/src/eye.c
+cat >>lib/src/label.c <<'C'
+ocel_status_t ocel_seed_begin(ocel_labeller_t *labeller, ocel_crack_pool_t *pool, uint16_t width,
+                              uint16_t height, ocel_connectivity_t connectivity);
+ocel_status_t ocel_seed_begin(ocel_labeller_t *labeller, ocel_crack_pool_t *pool, uint16_t width,
+                              uint16_t height, ocel_connectivity_t connectivity) {
+    static const char big[16384] = {1};
+    return ocel_label_begin(labeller, pool, width, (uint16_t)(height + big[width]), connectivity);
+}
+C
+caught "too much code" "code" tools/sizes.sh
 sed -i 's/#define OCEL_MAX_CRACKS 2048/#define OCEL_MAX_CRACKS 2049/' lib/include/ocellus/config.h
 caught "too large a context" "the boundary pool" tools/sizes.sh
 sed -i '/<!-- sizes:begin -->/,/<!-- sizes:end -->/s/^| status | \([0-9]*\) /| status | 1\1 /' README.md
