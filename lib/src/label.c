@@ -48,6 +48,11 @@
 /* No label: ends the lists of free and of merged labels. */
 #define NO_LABEL 0x7FFFU
 
+/* The label of a run that is a component by itself so far.  It has neither a
+ * label nor sums nor cells until it meets a child: most of what noise consists
+ * of never does. */
+#define NEWBORN 0x7FFEU
+
 /* Flag in live[]: at a root, the boundary is lost (the count itself is at most
  * OCEL_MAX_RUNS + 1 <= 2049); set at labels merged away, too, so that one test
  * finds whatever is out of the ordinary.  Also in a mark, which is a root with
@@ -148,7 +153,9 @@ static void release_merged(ocel_labeller_t *lab) {
     uint32_t label = lab->merged_label;
 
     while (run != LIST_END) { /* bound: OCEL_MAX_RUNS */
-        f->label[run] = (uint16_t)root_of(lab, f->label[run]);
+        if (f->label[run] != NEWBORN) {
+            f->label[run] = (uint16_t)root_of(lab, f->label[run]);
+        }
         run = f->next[run];
     }
     while (label != NO_LABEL) { /* bound: OCEL_MAX_LABELS */
@@ -217,11 +224,38 @@ static void end_component(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_
     give_label(lab, root);
 }
 
-/* The run after `prev` has no child: it leaves the frontier. */
-static void retire_run(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t prev,
-                       ended_list_t *ended) {
+/* The newborn run of the row above in the place `run` gets what a component has:
+ * a label, its sums and its edges; lost at once when there are no cells. */
+static void settle_newborn(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t run) {
+    ocel_frontier_t *f = &lab->frontier;
+    const uint32_t start = f->start[run];
+    const uint32_t end = (uint32_t)f->end[run] - lab->reach;
+    const uint32_t root = take_label(lab);
+    const ocel_crack_pair_t pair = ocel_crack_take_pair(pool, &lab->ledger);
+
+    if (pair.head != OCEL_NO_CELL) {
+        ocel_crack_set_left(pool, pair.head, start);
+        ocel_crack_set_right(pool, pair.tail, end);
+    } else {
+        lab->live[root] |= LOST;
+    }
+    f->label[run] = (uint16_t)root;
+    f->head[run] = (uint16_t)pair.head;
+    f->tail[run] = (uint16_t)pair.tail;
+    ocel_component_start(&lab->component[root], start, end, (uint32_t)lab->next_row - 1U);
+}
+
+static inline void settle(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t run) {
+    if (lab->frontier.label[run] == NEWBORN) {
+        settle_newborn(lab, pool, run);
+    }
+}
+
+/* The run in the place `run` has no child: its component ends with it, or its
+ * two edges are linked. */
+static void end_run(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t run,
+                    ended_list_t *ended) {
     const ocel_frontier_t *f = &lab->frontier;
-    const uint32_t run = f->next[prev];
     const uint32_t root = root_of(lab, f->label[run]);
     const uint32_t tail = f->tail[run];
     uint32_t head = f->head[run];
@@ -237,6 +271,29 @@ static void retire_run(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t p
         ocel_crack_set_link(pool, tail, head);
     } else {
         /* Lost: there is nothing to link. */
+    }
+}
+
+/* True when a newborn run can end without having been anything: nobody asks for
+ * it, and it is no larger than the best, which then came before it in raster
+ * order: what has ended by now has a run before it in the row above or higher. */
+static inline bool is_noise(const ocel_labeller_t *lab, uint32_t run, const ended_list_t *ended) {
+    const ocel_frontier_t *f = &lab->frontier;
+
+    return (f->label[run] == NEWBORN) && (ended->blob == NULL) &&
+           (((uint32_t)f->end[run] - lab->reach - f->start[run]) <= lab->best.area);
+}
+
+/* The run after `prev` has no child: it leaves the frontier. */
+static inline void retire_run(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t prev,
+                              ended_list_t *ended) {
+    const uint32_t run = lab->frontier.next[prev];
+
+    if (is_noise(lab, run, ended)) {
+        lab->stats.components++;
+    } else {
+        settle(lab, pool, run);
+        end_run(lab, pool, run, ended);
     }
     remove_run(lab, prev, run);
 }
@@ -326,8 +383,10 @@ static inline uint32_t current_mark(ocel_labeller_t *lab, ocel_crack_pool_t *poo
 static inline void first_child(ocel_labeller_t *lab, ocel_crack_pool_t *pool, sweep_t *s,
                                uint32_t run, uint32_t start) {
     ocel_frontier_t *f = &lab->frontier;
-    uint32_t mark = current_mark(lab, pool, run);
+    uint32_t mark;
 
+    settle(lab, pool, run);
+    mark = current_mark(lab, pool, run);
     s->right = OCEL_NO_CELL;
     s->reach_end = f->end[run];
     s->parent_tail = f->tail[run];
@@ -401,11 +460,13 @@ static inline uint32_t next_child(ocel_labeller_t *lab, ocel_crack_pool_t *pool,
         s->right = f->tail[place];
         s->mark = mark_of(lab, f->label[place]);
     } else {
-        const uint32_t tail = f->tail[run];
+        uint32_t tail = f->tail[run];
 
         if (f->label[run] == s->mark) {
             split_and_close_hole(lab, pool, s, run, start);
         } else {
+            settle(lab, pool, run);
+            tail = f->tail[run];
             split_and_close(lab, pool, s->prev, s->parent_tail, run, start);
             s->right = f->tail[run];
             set_component(lab, s, mark_of(lab, f->label[run]));
@@ -425,8 +486,10 @@ static uint32_t absorb_parent(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uin
                               uint32_t tail) {
     ocel_frontier_t *f = &lab->frontier;
     const uint32_t parent = f->next[run];
-    const uint32_t root = close_gap(lab, pool, f->label[run], tail, parent) & ~LOST;
+    uint32_t root;
 
+    settle(lab, pool, parent);
+    root = close_gap(lab, pool, f->label[run], tail, parent) & ~LOST;
     f->label[run] = (uint16_t)root;
     lab->live[root]--;
     remove_run(lab, run, parent);
@@ -470,26 +533,15 @@ static inline void finish_run(ocel_labeller_t *lab, ocel_crack_pool_t *pool, swe
     s->prev = run;
 }
 
-/* The run in hand has no parent: a component begins, after prev. */
-static inline void begin_component(ocel_labeller_t *lab, ocel_crack_pool_t *pool, sweep_t *s,
-                                   const ocel_run_scan_t *scan, uint32_t touch_end) {
+/* The run in hand has no parent: a component is born, after prev. */
+static inline void begin_component(ocel_labeller_t *lab, sweep_t *s, const ocel_run_scan_t *scan,
+                                   uint32_t touch_end) {
     ocel_frontier_t *f = &lab->frontier;
     const uint32_t run = insert_run(lab, s->prev);
-    const uint32_t root = take_label(lab);
-    const ocel_crack_pair_t pair = ocel_crack_take_pair(pool, &lab->ledger);
 
-    if (pair.head != OCEL_NO_CELL) {
-        ocel_crack_set_left(pool, pair.head, scan->start);
-        ocel_crack_set_right(pool, pair.tail, scan->end);
-    } else {
-        lab->live[root] |= LOST;
-    }
     f->start[run] = (uint16_t)scan->start;
     f->end[run] = (uint16_t)touch_end;
-    f->label[run] = (uint16_t)root;
-    f->head[run] = (uint16_t)pair.head;
-    f->tail[run] = (uint16_t)pair.tail;
-    ocel_component_start(&lab->component[root], scan->start, scan->end, lab->next_row);
+    f->label[run] = NEWBORN;
     s->prev = run;
     s->reach_end = 0U;
 }
@@ -521,7 +573,7 @@ static inline bool sweep_run(ocel_labeller_t *lab, ocel_crack_pool_t *pool, swee
         absorb_parents(lab, pool, s, run, touch_end);
         finish_run(lab, pool, s, run, scan, touch_end);
     } else if (scan->start != OCEL_RUN_NONE) {
-        begin_component(lab, pool, s, scan, touch_end);
+        begin_component(lab, s, scan, touch_end);
     } else {
         /* The row is done: the list's end touches nothing. */
     }

@@ -31,28 +31,24 @@ typedef uint32_t ocel_moment_t;
 typedef uint64_t ocel_moment_t;
 #endif
 
-/* Labels in use at once: at most OCEL_MAX_RUNS + 1.
+/* Labels in use at once: at most as many as a row has runs.
  *
- * A label is in use from the run that made it until its component has ended or,
- * when it was merged into another, until the end of that row.  Look at the row
- * when run C asks for a label: C touches no run above.  An older label in use
- * has a run P above that a run D of this row has touched, or one that waits
- * right of C; otherwise its last run would have retired and freed it.  Give
- * each label in use a column:
- *   made in this row by run N (C is one of these): the start of N;
- *   older, P touched by D:  reach 1: the start of P; reach 0: a column of both;
- *   older, P waiting:       the start of P.
- * Reach 1: N is two columns or more from any P, and runs of one row are two
- * apart, so all the columns are: a row has at most OCEL_MAX_RUNS such columns.
- * Reach 0: the same holds but between C itself and the first P waiting, which
- * may be neighbours.  The columns up to C's start are two apart, and those
- * right of it are: (i + 1) / 2 + (j + 1) / 2 with i + j <= width, at most
- * OCEL_MAX_RUNS + 1. */
-#define OCEL_MAX_LABELS (OCEL_MAX_RUNS + 1)
+ * A run that touches none above has no label; it gets one when a run of the next
+ * row touches it, or when it ends and is the largest component so far.  A label
+ * is in use from then until its component has ended or, when it was merged into
+ * another, until the end of that row.  So while row y is swept every label in use
+ * had a run of its own in row y - 1 when the sweep began, or belongs to the one
+ * run of that row that is just getting it: different labels, different runs. */
+#define OCEL_MAX_LABELS OCEL_MAX_RUNS
 
 /* Places in the frontier: the runs of this row up to the sweep, and the runs
- * above that none of them touches.  Their starts are columns as above, so there
- * are at most OCEL_MAX_RUNS + 1; and place 0, the list's end. */
+ * above that none of them touches, C being the run in hand.  Their starts are
+ * columns of which no two are neighbours: those of one row are two apart, and a
+ * run of this row is one or more columns from any above that it does not touch.
+ * Only with 4-connectivity may C and the first run waiting be neighbours: the
+ * columns up to C's start are two apart, and those right of it are, which makes
+ * (i + 1) / 2 + (j + 1) / 2 with i + j <= width, at most OCEL_MAX_RUNS + 1; and
+ * place 0, the list's end. */
 #define OCEL_FRONTIER_RUNS (OCEL_MAX_RUNS + 2)
 
 /* The frontier, a column for each member so that one index reaches them all. */
