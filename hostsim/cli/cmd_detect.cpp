@@ -55,7 +55,8 @@ the first image, and prints it as `colour`; give that to --colour afterwards.
 
 Output: status, method, blob:{left,top,width,height,area,cx,cy},
 ellipse:{cx,cy,a,b,angle_deg}, arc_coverage (0..1: how much of the outline's turn
-was seen), rms_px, and colour when it was taught. What does not exist for a
+was seen), rms_px, centre_sigma_px when not ok (how far the centre may be off),
+and colour when it was taught. What does not exist for a
 status is left out. ok: vouched for; clipped: cut by the image's edge; partial:
 too short an arc; not_seen: no blob of at least --min-area pixels.
 
@@ -222,7 +223,7 @@ class Detector {
             object["ellipse"] = Json::object();
             add_ellipse(object["ellipse"], detection.ellipse);
             object["arc_coverage"] = decimal_of_q16(detection.ellipse.arc_coverage_q16);
-            object["rms_px"] = decimal_of_q16(detection.ellipse.rms_px_q16);
+            add_quality(object, detection.status, detection.ellipse);
         }
         if (!arguments_.teach.empty()) {
             object["colour"] = format_colour(*range_);

@@ -32,7 +32,8 @@ Methods:
   hyper  bias-corrected: for short arcs and noisy points
 
 Output: status, method, cx, cy, a, b, angle_deg, rms_px, n, perturbed
-An ellipse is there for ok, and for partial: an arc too short for its noise.
+An ellipse is there for ok, and for partial: an arc too short for its noise;
+partial adds centre_sigma_px, how far the centre may be off.
 
 Examples:
   ocellus fit points.csv
@@ -45,7 +46,7 @@ Json json_of_fit(ocel_status_t status, const ocel_fit_options_t &options,
     Json object{{"status", ocel_status_name(status)}, {"method", method_name(options.method)}};
     if (has_ellipse) {
         add_ellipse(object, ellipse);
-        object["rms_px"] = decimal_of_q16(ellipse.rms_px_q16);
+        add_quality(object, status, ellipse);
     }
     object["n"] = count;
     if (has_ellipse) {

@@ -40,6 +40,13 @@ void add_ellipse(Json &object, const ocel_ellipse_t &ellipse) {
     object["angle_deg"] = degrees_of_turn_q32(ellipse.angle_turn_q32);
 }
 
+void add_quality(Json &object, ocel_status_t status, const ocel_ellipse_t &ellipse) {
+    object["rms_px"] = decimal_of_q16(ellipse.rms_px_q16);
+    if (status != OCEL_OK) {
+        object["centre_sigma_px"] = decimal_of_q16(ellipse.centre_sigma_px_q16);
+    }
+}
+
 void print_line(const Json &object) {
     std::cout << object.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
 }

@@ -101,6 +101,10 @@ class OtherStatuses(DetectTest):
         self.assertEqual((answer.code, answer.json["status"]), (1, "clipped"))
         blob = answer.json["blob"]
         self.assertEqual(blob["left"] + blob["width"], 160)
+        # An estimate tells its uncertainty; what is vouched for has none to tell.
+        self.assertGreater(answer.json["centre_sigma_px"], 0.0)
+        self.assertNotIn("centre_sigma_px", self.run_program("detect", "--colour", ORANGE,
+                                                             "ball.png").json)
 
     def test_one_pixel_high_blob_answers(self):
         rows = [[0] * 60 for _ in range(9)]
