@@ -26,9 +26,10 @@ rm -rf build/cov/profile
 ctest --preset cov -L unit || exit 1
 profile=build/cov/coverage.profdata
 llvm-profdata-19 merge -sparse build/cov/profile/*.profraw -o "$profile" || exit 1
-objects=()
-for program in build/cov/bin/test_*; do objects+=(-object "$program"); done
-# Header-only helpers count as well: everything below lib/.
+programs=(build/cov/bin/test_*)
+objects=("${programs[0]}") # the first by its place, the others by option
+for program in "${programs[@]:1}"; do objects+=(-object "$program"); done
+# Everything below lib/ counts, the helpers in headers as well.
 llvm-cov-19 report "${objects[@]}" -instr-profile="$profile" -show-mcdc-summary \
     -show-region-summary=false "$PWD/lib" | tee build/cov/coverage.txt
 if [ "$html" = yes ]; then
