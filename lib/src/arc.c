@@ -25,7 +25,7 @@ typedef struct {
 /* centre sigma * sqrt(n) / rms, Q4, when k of 32 sectors are covered, k = 3..32:
  * the Kanatani-Cramer-Rao bound of the centre, RMS of the vector, for points
  * spread evenly over one arc of a circle (Fisher matrix of the radial residual
- * in 1, cos t, sin t, cos 2t, sin 2t; the accuracy tests recompute it). */
+ * in 1, cos t, sin t, cos 2t, sin 2t; test_arc.c recomputes it). */
 #define SPREAD_FIRST 3U
 static const uint32_t spread_q4[30] = {
     222283, 70087, 28577, 13704, 7347, 4272, 2642, 1715, 1157, 806, 577, 422, 314, 238, 184,

@@ -6,16 +6,15 @@
 #include "int_math.h"
 #include "q60.h"
 
-/* Newton steps on the cubic.  From the start below 3 are usual; the worst of
- * the accuracy test's 10^5 cases is printed by it and stays below this cap. */
+/* Newton steps on the cubic.  In double-precision prototypes the descent from uu
+ * took 6 steps in the median and 12 at most on arcs of 90 degrees; the start
+ * below is never farther from the root.  A double root, where the convergence is
+ * linear and no ellipse is to be had, runs into this cap. */
 #define NEWTON_MAX 16U
 
 /* A trace, a determinant or a derivative below 2^-44 of the largest possible
  * is what rounding leaves of zero (entries are good to about 2^-57). */
 #define NOTHING_Q60 ((int64_t)0x10000)
-
-/* 4AC - B^2 below 2^-28 of (A + C)^2: an axis ratio under 2^-15, a parabola. */
-#define FLAT_Q60 ((int64_t)4294967296)
 
 /* |D|, |E| < 2^10 in Q48: beyond, the centre is far outside the points. */
 #define LINEAR_MAX_Q48 ((int64_t)0x400000000000000)
@@ -165,7 +164,8 @@ static ocel_status_t null_vector(const reduced_t *m, int64_t lambda, ocel_conic_
         ocel_recip_q60((uint64_t)det, &inverse.y_q60, &inverse.e);
         conic->v_q60 = minus_ratio_q60(num_v, &inverse);
         conic->w_q60 = minus_ratio_q60(num_w, &inverse);
-        status = (ocel_conic_flatness_q60(conic) < FLAT_Q60) ? OCEL_NOT_AN_ELLIPSE : OCEL_OK;
+        status =
+            (ocel_conic_flatness_q60(conic) < OCEL_CONIC_FLAT_Q60) ? OCEL_NOT_AN_ELLIPSE : OCEL_OK;
     }
     return status;
 }

@@ -31,6 +31,9 @@ typedef struct {
 ocel_status_t ocel_conic_b2ac(const ocel_scatter_t *scatter, ocel_conic_t *conic,
                               int64_t *eigenvalue_q60);
 
+/* 4AC - B^2 below 2^-28 of (A + C)^2: an axis ratio under 2^-15, a parabola. */
+#define OCEL_CONIC_FLAT_Q60 ((int64_t)4294967296)
+
 /* 4AC - B^2 = 1 - v^2 - w^2: 1 for a circle, 0 for a parabola. */
 int64_t ocel_conic_flatness_q60(const ocel_conic_t *conic);
 

@@ -18,9 +18,8 @@
 
 /* The second opinion on a short arc.  Under 11/32 of a turn (124 degrees) the
  * unbiased fit's centre must be expected within 1/20 of its semi-minor axis; the
- * two centres must agree within twice that.  (Noise of .3 px on arcs of a circle
- * of 40 px: all of 135 degrees pass, wrong by .07 R for B2AC and .04 R for hyper;
- * 3 % of 120 degrees, 1 % of 45, none between.) */
+ * two centres must agree within twice that.  (test_fit.c prints how many noisy
+ * arcs pass, and how many of them are wrong.) */
 #define SHORT_ARC_Q16 (11U * 2048U)
 #define VOUCHED_FRACTION 20U
 

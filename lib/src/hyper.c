@@ -26,9 +26,8 @@
  * zero for exact points, is taken as this instead. */
 #define LEAST_Q60 ((int64_t)0x400)
 
-/* |A + C| at least 2^-12 of the largest coefficient; 4AC - B^2 >= 2^-28. */
+/* |A + C| at least 2^-12 of the largest coefficient. */
 #define ROUND_MIN_BITS 12U
-#define FLAT_Q60 ((int64_t)4294967296)
 
 /* Coefficients are kept with the largest in [2^57, 2^58): a quarter, so that
  * five of them times entries of 1.01 stay below 2. */
@@ -223,7 +222,8 @@ static ocel_status_t conic_of(const vector_t *v, ocel_conic_t *conic, ocel_scale
         conic->w_q60 = over(v->t[AT_XY], inverse, 0);
         conic->d_q48 = over(v->t[AT_X], inverse, -12);
         conic->e_q48 = over(v->t[AT_Y], inverse, -12);
-        status = (ocel_conic_flatness_q60(conic) < FLAT_Q60) ? OCEL_NOT_AN_ELLIPSE : OCEL_OK;
+        status =
+            (ocel_conic_flatness_q60(conic) < OCEL_CONIC_FLAT_Q60) ? OCEL_NOT_AN_ELLIPSE : OCEL_OK;
     }
     return status;
 }
