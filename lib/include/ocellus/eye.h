@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include <ocellus/colour.h>
+#include <ocellus/cone.h>
 #include <ocellus/fit.h>
 #include <ocellus/label.h>
 #include <ocellus/status.h>
@@ -107,6 +108,20 @@ const ocel_crack_t *ocel_eye_boundary(const ocel_eye_t *eye, size_t *count);
  * OCEL_NULL_ARGUMENT  a pointer is null */
 ocel_status_t ocel_eye_refit(const ocel_eye_t *eye, const ocel_fit_options_t *options,
                              ocel_detection_t *detection);
+
+/* Fits the cone of rays to the boundary of the last ocel_eye_end (cone.h): robust
+ * to what hides a part of the ball, and placed by ocel_sphere_of_cone.  A blob cut
+ * by the image's edge is OCEL_CLIPPED unless the cone is vouched for.
+ *   detection  of that ocel_eye_end; only read.
+ *   cone       out; written for OCEL_OK, OCEL_PARTIAL and OCEL_CLIPPED, zeroed otherwise.
+ * OCEL_OK, OCEL_PARTIAL, OCEL_DEGENERATE, OCEL_TOO_FEW_POINTS, OCEL_OUT_OF_RANGE
+ *                     as in ocel_cone_fit_cracks
+ * OCEL_CLIPPED        cut by the image's edge and not vouched for: an estimate
+ * OCEL_NOT_SEEN, OCEL_OVERFLOW  as the detection
+ * OCEL_BAD_ORDER      no boundary, or the camera was not initialised
+ * OCEL_NULL_ARGUMENT  a pointer is null */
+ocel_status_t ocel_eye_cone(const ocel_eye_t *eye, const ocel_camera_t *camera,
+                            const ocel_detection_t *detection, ocel_cone_t *cone);
 
 /* A whole frame: begin, every line, end.
  *   stride_bytes  from one line to the next, >= ocel_colour_line_bytes().

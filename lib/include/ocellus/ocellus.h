@@ -19,11 +19,15 @@
 #ifndef OCELLUS_OCELLUS_H
 #define OCELLUS_OCELLUS_H
 
+#include <ocellus/camera.h>
 #include <ocellus/colour.h>
+#include <ocellus/cone.h>
 #include <ocellus/config.h>
 #include <ocellus/eye.h>
 #include <ocellus/fit.h>
 #include <ocellus/label.h>
+#include <ocellus/space.h>
+#include <ocellus/sphere.h>
 #include <ocellus/status.h>
 #include <ocellus/types.h>
 #include <ocellus/version.h>

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A ball is a cone of rays: the unit vectors d towards its outline satisfy
+ * d . m = 1 with m = axis / cos(half the opening angle).  Three points determine
+ * it and any number fit it by linear least squares, with no perspective error;
+ * it needs no radius.
+ */
+#ifndef OCELLUS_CONE_H
+#define OCELLUS_CONE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <ocellus/camera.h>
+#include <ocellus/space.h>
+#include <ocellus/status.h>
+#include <ocellus/types.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A fitted cone, in the camera's frame. */
+typedef struct {
+    int32_t axis_cam_q30[3]; /* unit vector towards the ball's centre */
+    uint32_t sin_q30;        /* of half the opening angle: radius / distance of the centre */
+    int64_t cov_q60[OCEL_SYM3_COUNT]; /* covariance of the centre over its distance squared */
+    uint32_t rms_px_q16;              /* of the inliers' distances from the outline */
+    uint32_t arc_coverage_q16; /* fraction of the outline's turn that inliers cover, <= 65536 */
+    uint32_t point_count;
+    uint32_t inlier_count;
+} ocel_cone_t;
+
+/* Fits the cone to boundary points in any order, robustly: OCEL_CONE_HYPOTHESES
+ * cones through three points each, chosen by a fixed rule (cone.c), the one with
+ * the most consent among the points, then least squares on those that consent.
+ * What hides a part of the ball, or the image's edge, may so take a part of the
+ * points.  No random source: the same points give the same bits.
+ *   points   count points; not written.
+ *   cone     out; written for OCEL_OK and OCEL_PARTIAL, zeroed otherwise.
+ * OCEL_OK               vouched for
+ * OCEL_PARTIAL          an estimate: too short an arc, or too few of the points consent
+ * OCEL_TOO_FEW_POINTS   count < OCEL_MIN_FIT_POINTS
+ * OCEL_DEGENERATE       no three points determine a cone (collinear, coincident)
+ * OCEL_OUT_OF_RANGE     a point that ocel_camera_ray refuses
+ * OCEL_OVERFLOW         count > OCEL_MAX_FIT_POINTS
+ * OCEL_BAD_ORDER        the camera was not initialised
+ * OCEL_NULL_ARGUMENT    a pointer is null */
+ocel_status_t ocel_cone_fit_points(const ocel_camera_t *camera, const ocel_point_t *points,
+                                   size_t count, ocel_cone_t *cone);
+
+/* The same for boundary cracks.  Same statuses. */
+ocel_status_t ocel_cone_fit_cracks(const ocel_camera_t *camera, const ocel_crack_t *cracks,
+                                   size_t count, ocel_cone_t *cone);
+
+/* The cone through a fitted ellipse: for comparing the methods.  rms and arc are
+ * the ellipse's, inlier_count its point_count.
+ * OCEL_OK, OCEL_DEGENERATE, OCEL_OUT_OF_RANGE, OCEL_BAD_ORDER, OCEL_NULL_ARGUMENT */
+ocel_status_t ocel_cone_of_ellipse(const ocel_camera_t *camera, const ocel_ellipse_t *ellipse,
+                                   ocel_cone_t *cone);
+
+/* The outline of the ball in the image, lens distortion left out; rms, arc and
+ * counts are the cone's.
+ * OCEL_OK
+ * OCEL_NOT_AN_ELLIPSE  the outline reaches behind the camera
+ * OCEL_OUT_OF_RANGE    beyond the range of ocel_ellipse_t
+ * OCEL_BAD_ORDER, OCEL_NULL_ARGUMENT */
+ocel_status_t ocel_cone_outline(const ocel_camera_t *camera, const ocel_cone_t *cone,
+                                ocel_ellipse_t *ellipse);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
