@@ -30,7 +30,7 @@ typedef struct {
     int32_t p1_q24;
     int32_t p2_q24;
     int32_t k3_q24;
-    uint16_t width; /* of the image, px; 0, 0: not stated, and then not checked */
+    uint16_t width; /* of the image, px, <= 16384; 0: not stated, and then not checked */
     uint16_t height;
 } ocel_intrinsics_t;
 
@@ -39,14 +39,15 @@ typedef struct {
     ocel_intrinsics_t intrinsics;
     int64_t inverse_fx_q60; /* 1 / fx, px^-1 */
     int64_t inverse_fy_q60;
+    int64_t reach_q56; /* squared tangent off the axis up to which the lens can be undone */
     bool distorted;
     bool ready;
 } ocel_camera_t;
 
 /* Checks the intrinsics and derives what the others need.
  * OCEL_OK
- * OCEL_OUT_OF_RANGE   a focal length of 0 or outside its range, a principal point or
- *                     a coefficient outside its range; the camera is not ready
+ * OCEL_OUT_OF_RANGE   a focal length of 0 or outside its range, a principal point, a
+ *                     coefficient or a side outside its range; the camera is not ready
  * OCEL_NULL_ARGUMENT  a pointer is null */
 ocel_status_t ocel_camera_init(ocel_camera_t *camera, const ocel_intrinsics_t *intrinsics);
 
@@ -54,8 +55,9 @@ ocel_status_t ocel_camera_init(ocel_camera_t *camera, const ocel_intrinsics_t *i
  * OCEL_UNDISTORT_STEPS steps.
  *   d_cam_q30  out, three numbers; zero unless OCEL_OK.
  * OCEL_OUT_OF_RANGE   the pixel is outside the image, if its size is stated
- *                     (pixels cover +-0.5), or over 80 degrees off the axis, or the lens
- *                     cannot be inverted there to 1/64 px
+ *                     (pixels cover +-0.5), or over OCEL_MAX_COORDINATE_PX away, or over
+ *                     80 degrees off the axis, or the lens cannot be inverted there to
+ *                     1/64 px: beyond its fold, say
  * OCEL_BAD_ORDER      the camera was not initialised
  * OCEL_NULL_ARGUMENT  a pointer is null */
 ocel_status_t ocel_camera_ray(const ocel_camera_t *camera, const ocel_point_t *pixel,
@@ -63,8 +65,8 @@ ocel_status_t ocel_camera_ray(const ocel_camera_t *camera, const ocel_point_t *p
 
 /* Where a point in front of the camera is seen, distortion applied.
  *   pixel  out; zero unless OCEL_OK.  It may lie outside the image.
- * OCEL_OUT_OF_RANGE   behind the camera, over 80 degrees off the axis, or over
- *                     OCEL_MAX_COORDINATE_PX away
+ * OCEL_OUT_OF_RANGE   behind the camera, over 80 degrees off the axis, beyond the fold of
+ *                     the lens, or over OCEL_MAX_COORDINATE_PX away in the image
  * OCEL_BAD_ORDER, OCEL_NULL_ARGUMENT  as above */
 ocel_status_t ocel_camera_project(const ocel_camera_t *camera, const int32_t p_cam_u[3],
                                   ocel_point_t *pixel);

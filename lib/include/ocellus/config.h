@@ -46,6 +46,11 @@
  * two coordinates, and its double, fit in 32 bits. */
 #define OCEL_MAX_COORDINATE_PX 16384
 
+/* Steps that undo a lens's distortion (lens.c).  Four bring k1 = -.35, k2 = .12 at
+ * f = 300 px within 1/64 px everywhere in 640x480, five to the last bit; the sixth is
+ * for stronger ones. */
+#define OCEL_UNDISTORT_STEPS 6
+
 /* Entries of the RGB565 colour table: one bit a colour, 32 blues a word. */
 #define OCEL_COLOUR_TABLE_WORDS 2048
 

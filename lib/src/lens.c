@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Radial and decentering distortion: Brown, "Decentering distortion of lenses",
+ * Photogrammetric Engineering 32 (1966); order and signs are OpenCV's.
+ *
+ * It is undone by Newton's method on its two equations.  The first step divides
+ * by the radial factor alone (OpenCV's iteration, which is Newton's with another
+ * Jacobian): a start from which no lens of practice overshoots.  That iteration by
+ * itself is slow where a lens is strong and diverges farther out: k1 = -.35,
+ * k2 = .12 at f = 300 px leave a seventh of a 640x480 image over 1/64 px after
+ * twelve steps, Newton's method nothing after four.
+ */
+#include "lens.h"
+
+#include <ocellus/config.h>
+
+#include "int_math.h"
+#include "q60.h"
+#include "scale.h"
+
+/* Where the radial map is tried for a fold: tangents of i / 64, i < 363, which is
+ * up to 80 degrees. */
+#define REACH_TRIPS 363U
+
+/* 1/64 px as the product of a slope in Q40 and a focal length in Q16. */
+#define TOLERANCE_Q56 ((uint64_t)0x4000000000000)
+
+/* At a fold: a Jacobian below 2^-10, or its determinant below 2^-20 of its largest
+ * element squared.  The farthest that a step looks: 2^12. */
+#define JACOBIAN_MIN_Q40 ((uint64_t)0x40000000)
+#define DETERMINANT_MIN_Q60 ((int64_t)0x10000000000)
+#define DIFFERENCE_MAX_Q40 ((uint64_t)0x10000000000000)
+
+/* Where the lens puts a ray, and how that moves with the ray: its Jacobian,
+ * which is symmetric. */
+typedef struct {
+    int64_t xy_q40[2];
+    int64_t j_q40[2]; /* its diagonal */
+    int64_t cross_q40;
+    int64_t factor_q40; /* the radial factor */
+} bent_t;
+
+bool ocel_lens_within(const int64_t xy_q28[2], int64_t reach_q56) {
+    bool within = false;
+
+    if ((ocel_abs64(xy_q28[0]) <= (uint64_t)OCEL_TAN_80_Q28) &&
+        (ocel_abs64(xy_q28[1]) <= (uint64_t)OCEL_TAN_80_Q28)) {
+        within = ((xy_q28[0] * xy_q28[0]) + (xy_q28[1] * xy_q28[1])) <= reach_q56;
+    }
+    return within;
+}
+
+/* a * b to 2^-35: |a| <= 32.2 and |b| < 2^20, the product within 2^22. */
+static int64_t times_q40(int64_t a_q55, int64_t b_q40) {
+    return ocel_shl64(ocel_mul_q60(a_q55, b_q40), 5U);
+}
+
+/* The radial factor 1 + k1 s + k2 s^2 + k3 s^3 and its derivative, s = r^2, both
+ * by Horner.  With s <= 32.2 and coefficients within 16 the factor is below 2^19.1
+ * and the derivative below 2^15.7. */
+static void radial(const ocel_intrinsics_t *lens, int64_t s_q55, int64_t *factor_q40,
+                   int64_t *derivative_q40) {
+    const int32_t k_q24[3] = {lens->k2_q24, lens->k1_q24, 0x1000000};
+    int64_t value = (int64_t)lens->k3_q24 * 65536;
+    int64_t slope = 0;
+
+    for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 */
+        slope = times_q40(s_q55, slope) + value;
+        value = times_q40(s_q55, value) + ((int64_t)k_q24[i] * 65536);
+    }
+    *factor_q40 = value;
+    *derivative_q40 = slope;
+}
+
+/* The slope of the radial map r * factor along r is factor + 2 s derivative, below
+ * 2^22. */
+static bool rises(const ocel_intrinsics_t *lens, uint32_t trip) {
+    const int64_t s_q55 = (int64_t)trip * (int64_t)trip * ((int64_t)1 << 43U);
+    int64_t factor_q40;
+    int64_t derivative_q40;
+
+    radial(lens, s_q55, &factor_q40, &derivative_q40);
+    return (factor_q40 + (2 * times_q40(s_q55, derivative_q40))) > 0;
+}
+
+int64_t ocel_lens_reach_q56(const ocel_intrinsics_t *lens) {
+    int64_t reach_q56 = OCEL_TAN2_80_Q56;
+    uint32_t trip = 1U;
+
+    while ((trip < REACH_TRIPS) && rises(lens, trip)) { /* bound: REACH_TRIPS = 363 */
+        trip++;
+    }
+    if (trip < REACH_TRIPS) {
+        reach_q56 = (int64_t)(trip - 1U) * (int64_t)(trip - 1U) * ((int64_t)1 << 44U);
+    }
+    return reach_q56;
+}
+
+/* x * v: |x| <= 5.7 and |v| < 2^20, the product within 2^22; to 2^-37. */
+static int64_t times_slope_q40(int64_t x_q28, int64_t v_q40) {
+    return ocel_shl64(ocel_mul_q60(ocel_shl64(x_q28, 29U), v_q40), 3U);
+}
+
+/* With s = x^2 + y^2, l = p2 x + p1 y, f the radial factor and g = f + 2 l, the lens
+ * is x' = g x + p2 s, y' = g y + p1 s, and its Jacobian
+ *   g I + 2 f' (x, y)(x, y)' + 2 ((x, y)(p2, p1)' + (p2, p1)(x, y)').
+ * Within 80 degrees: |l| <= 129, in Q52 below 2^59.1; g < 2^19.2; x' within 2^21.7;
+ * x f' within 2^18.2 and the Jacobian within 2^22. */
+static void bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], bent_t *bent) {
+    const int64_t p_q24[2] = {lens->p2_q24, lens->p1_q24};
+    const int64_t s_q55 = ocel_asr64((xy_q28[0] * xy_q28[0]) + (xy_q28[1] * xy_q28[1]), 1U);
+    const int64_t cross_q52 = (xy_q28[0] * p_q24[1]) + (xy_q28[1] * p_q24[0]);
+    int64_t derivative_q40;
+    int64_t g_q40;
+
+    radial(lens, s_q55, &bent->factor_q40, &derivative_q40);
+    g_q40 = bent->factor_q40 + ocel_asr64((xy_q28[0] * p_q24[0]) + (xy_q28[1] * p_q24[1]), 11U);
+    for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
+        const int64_t x_q28 = xy_q28[i];
+        const int64_t turned_q40 = times_slope_q40(x_q28, derivative_q40);
+
+        bent->xy_q40[i] = times_slope_q40(x_q28, g_q40) + times_q40(s_q55, p_q24[i] * 65536);
+        bent->j_q40[i] =
+            g_q40 + (2 * times_slope_q40(x_q28, turned_q40)) + ocel_asr64(x_q28 * p_q24[i], 10U);
+        bent->cross_q40 = (2 * times_slope_q40(xy_q28[0], turned_q40)) + ocel_asr64(cross_q52, 11U);
+    }
+}
+
+void ocel_lens_bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], int64_t bent_q40[2]) {
+    bent_t bent;
+
+    bend(lens, xy_q28, &bent);
+    bent_q40[0] = bent.xy_q40[0];
+    bent_q40[1] = bent.xy_q40[1];
+}
+
+/* v + delta * 2^e, or a slope beyond all, where that is 8 or more; |delta| < 2^55,
+ * e >= -40. */
+static int64_t moved_q28(int64_t v_q28, int64_t delta, int32_t e) {
+    const int32_t bits = 64 - (int32_t)ocel_clz64(ocel_abs64(delta));
+
+    return ((bits + e) < 32) ? (v_q28 + ocel_scale_q60(delta, e)) : INT64_MAX;
+}
+
+/* One step: xy += J^-1 (target - bent).  J is scaled by 2^up to [1/2, 1) in Q60,
+ * up -3..24; the difference, if it is within 2^12, stays in Q40:
+ *   J^-1 d = adj(J 2^(up - 20)) d / det(J 2^(up - 20)) * 2^(up - 20).
+ * A larger difference or a Jacobian that is (nearly) singular is given up. */
+static bool step(const bent_t *bent, const int64_t target_q28[2], int64_t xy_q28[2]) {
+    const uint64_t most =
+        ocel_abs64(bent->j_q40[0]) | ocel_abs64(bent->j_q40[1]) | ocel_abs64(bent->cross_q40);
+    const int32_t up = (int32_t)ocel_clz64(most) - 4;
+    const int64_t jxx = ocel_scale_q60(bent->j_q40[0], up);
+    const int64_t jxy = ocel_scale_q60(bent->cross_q40, up);
+    const int64_t jyy = ocel_scale_q60(bent->j_q40[1], up);
+    const int64_t determinant = ocel_mul_q60(jxx, jyy) - ocel_mul_q60(jxy, jxy);
+    const int64_t dx_q40 = ocel_shl64(target_q28[0], 12U) - bent->xy_q40[0];
+    const int64_t dy_q40 = ocel_shl64(target_q28[1], 12U) - bent->xy_q40[1];
+    bool good = false;
+
+    if ((most >= JACOBIAN_MIN_Q40) && (determinant >= DETERMINANT_MIN_Q60) &&
+        ((ocel_abs64(dx_q40) | ocel_abs64(dy_q40)) < DIFFERENCE_MAX_Q40)) {
+        int64_t inverse_q60;
+        int32_t e;
+
+        ocel_recip_q60((uint64_t)determinant, &inverse_q60, &e);
+        e += up - 32;
+        xy_q28[0] = moved_q28(
+            xy_q28[0],
+            ocel_mul_q60(ocel_mul_q60(jyy, dx_q40) - ocel_mul_q60(jxy, dy_q40), inverse_q60), e);
+        xy_q28[1] = moved_q28(
+            xy_q28[1],
+            ocel_mul_q60(ocel_mul_q60(jxx, dy_q40) - ocel_mul_q60(jxy, dx_q40), inverse_q60), e);
+        good = ocel_lens_within(xy_q28, OCEL_TAN2_80_Q56);
+    }
+    return good;
+}
+
+/* Within 1/64 px: below 2^31 the product by a focal length is below 2^61, from there
+ * on it is over 1/64 px for the shortest, 16 px. */
+static bool came_back(int64_t bent_q40, int64_t target_q28, int32_t focal_px_q16) {
+    const uint64_t off_q40 = ocel_abs64(bent_q40 - ocel_shl64(target_q28, 12U));
+
+    return (off_q40 < 0x80000000U) && ((off_q40 * (uint64_t)focal_px_q16) <= TOLERANCE_Q56);
+}
+
+bool ocel_lens_unbend(const ocel_intrinsics_t *lens, int64_t xy_q28[2]) {
+    const int64_t target_q28[2] = {xy_q28[0], xy_q28[1]};
+    bool good = ocel_lens_within(xy_q28, OCEL_TAN2_80_Q56);
+    bent_t bent;
+
+    /* bound: OCEL_UNDISTORT_STEPS */
+    for (uint32_t i = 0U; good && (i < (uint32_t)OCEL_UNDISTORT_STEPS); i++) {
+        bend(lens, xy_q28, &bent);
+        if (i == 0U) { /* the radial factor alone */
+            bent.j_q40[0] = bent.factor_q40;
+            bent.j_q40[1] = bent.factor_q40;
+            bent.cross_q40 = 0;
+        }
+        good = step(&bent, target_q28, xy_q28);
+    }
+    if (good) {
+        bend(lens, xy_q28, &bent);
+        good = came_back(bent.xy_q40[0], target_q28[0], lens->fx_px_q16) &&
+               came_back(bent.xy_q40[1], target_q28[1], lens->fy_px_q16);
+    }
+    return good;
+}
