@@ -31,24 +31,15 @@
 #define DETERMINANT_MIN_Q60 ((int64_t)0x10000000000)
 #define DIFFERENCE_MAX_Q40 ((uint64_t)0x10000000000000)
 
-/* Where the lens puts a ray, and how that moves with the ray: its Jacobian,
- * which is symmetric. */
+/* Elements of a Jacobian, which is symmetric. */
+enum { J_XX = 0, J_YY, J_XY, J_COUNT };
+
+/* Where the lens puts a ray, and how that moves with the ray. */
 typedef struct {
     int64_t xy_q40[2];
-    int64_t j_q40[2]; /* its diagonal */
-    int64_t cross_q40;
+    int64_t j_q40[J_COUNT];
     int64_t factor_q40; /* the radial factor */
 } bent_t;
-
-bool ocel_lens_within(const int64_t xy_q28[2], int64_t reach_q56) {
-    bool within = false;
-
-    if ((ocel_abs64(xy_q28[0]) <= (uint64_t)OCEL_TAN_80_Q28) &&
-        (ocel_abs64(xy_q28[1]) <= (uint64_t)OCEL_TAN_80_Q28)) {
-        within = ((xy_q28[0] * xy_q28[0]) + (xy_q28[1] * xy_q28[1])) <= reach_q56;
-    }
-    return within;
-}
 
 /* a * b to 2^-35: |a| <= 32.2 and |b| < 2^20, the product within 2^22. */
 static int64_t times_q40(int64_t a_q55, int64_t b_q40) {
@@ -109,7 +100,7 @@ static int64_t times_slope_q40(int64_t x_q28, int64_t v_q40) {
 static void bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], bent_t *bent) {
     const int64_t p_q24[2] = {lens->p2_q24, lens->p1_q24};
     const int64_t s_q55 = ocel_asr64((xy_q28[0] * xy_q28[0]) + (xy_q28[1] * xy_q28[1]), 1U);
-    const int64_t cross_q52 = (xy_q28[0] * p_q24[1]) + (xy_q28[1] * p_q24[0]);
+    int64_t turned_q40 = 0;
     int64_t derivative_q40;
     int64_t g_q40;
 
@@ -117,13 +108,14 @@ static void bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], bent_t 
     g_q40 = bent->factor_q40 + ocel_asr64((xy_q28[0] * p_q24[0]) + (xy_q28[1] * p_q24[1]), 11U);
     for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
         const int64_t x_q28 = xy_q28[i];
-        const int64_t turned_q40 = times_slope_q40(x_q28, derivative_q40);
 
+        turned_q40 = times_slope_q40(x_q28, derivative_q40);
         bent->xy_q40[i] = times_slope_q40(x_q28, g_q40) + times_q40(s_q55, p_q24[i] * 65536);
         bent->j_q40[i] =
             g_q40 + (2 * times_slope_q40(x_q28, turned_q40)) + ocel_asr64(x_q28 * p_q24[i], 10U);
-        bent->cross_q40 = (2 * times_slope_q40(xy_q28[0], turned_q40)) + ocel_asr64(cross_q52, 11U);
     }
+    bent->j_q40[J_XY] = (2 * times_slope_q40(xy_q28[0], turned_q40)) +
+                        ocel_asr64((xy_q28[0] * p_q24[1]) + (xy_q28[1] * p_q24[0]), 11U);
 }
 
 void ocel_lens_bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], int64_t bent_q40[2]) {
@@ -142,46 +134,62 @@ static int64_t moved_q28(int64_t v_q28, int64_t delta, int32_t e) {
     return ((bits + e) < 32) ? (v_q28 + ocel_scale_q60(delta, e)) : INT64_MAX;
 }
 
-/* One step: xy += J^-1 (target - bent).  J is scaled by 2^up to [1/2, 1) in Q60,
- * up -3..24; the difference, if it is within 2^12, stays in Q40:
+/* One step: xy += J^-1 d, d the difference that is left.  J is scaled by 2^up to
+ * [1/2, 1) in Q60, up -3..29; d, within 2^12, stays in Q40:
  *   J^-1 d = adj(J 2^(up - 20)) d / det(J 2^(up - 20)) * 2^(up - 20).
  * A larger difference or a Jacobian that is (nearly) singular is given up. */
 static bool step(const bent_t *bent, const int64_t target_q28[2], int64_t xy_q28[2]) {
-    const uint64_t most =
-        ocel_abs64(bent->j_q40[0]) | ocel_abs64(bent->j_q40[1]) | ocel_abs64(bent->cross_q40);
-    const int32_t up = (int32_t)ocel_clz64(most) - 4;
-    const int64_t jxx = ocel_scale_q60(bent->j_q40[0], up);
-    const int64_t jxy = ocel_scale_q60(bent->cross_q40, up);
-    const int64_t jyy = ocel_scale_q60(bent->j_q40[1], up);
-    const int64_t determinant = ocel_mul_q60(jxx, jyy) - ocel_mul_q60(jxy, jxy);
-    const int64_t dx_q40 = ocel_shl64(target_q28[0], 12U) - bent->xy_q40[0];
-    const int64_t dy_q40 = ocel_shl64(target_q28[1], 12U) - bent->xy_q40[1];
-    bool good = false;
+    uint64_t most = 0U;
+    uint64_t farthest = 0U;
+    int64_t j_q60[J_COUNT];
+    int64_t d_q40[2];
+    int64_t determinant;
+    int32_t up;
 
+    for (uint32_t i = 0U; i < (uint32_t)J_COUNT; i++) { /* bound: J_COUNT = 3 */
+        most |= ocel_abs64(bent->j_q40[i]);
+    }
+    up = (int32_t)ocel_clz64(most) - 4;
+    for (uint32_t i = 0U; i < (uint32_t)J_COUNT; i++) { /* bound: J_COUNT = 3 */
+        j_q60[i] = ocel_scale_q60(bent->j_q40[i], up);
+    }
+    for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
+        d_q40[i] = ocel_shl64(target_q28[i], 12U) - bent->xy_q40[i];
+        farthest |= ocel_abs64(d_q40[i]);
+    }
+    determinant = ocel_mul_q60(j_q60[J_XX], j_q60[J_YY]) - ocel_mul_q60(j_q60[J_XY], j_q60[J_XY]);
     if ((most >= JACOBIAN_MIN_Q40) && (determinant >= DETERMINANT_MIN_Q60) &&
-        ((ocel_abs64(dx_q40) | ocel_abs64(dy_q40)) < DIFFERENCE_MAX_Q40)) {
+        (farthest < DIFFERENCE_MAX_Q40)) {
         int64_t inverse_q60;
         int32_t e;
 
         ocel_recip_q60((uint64_t)determinant, &inverse_q60, &e);
-        e += up - 32;
-        xy_q28[0] = moved_q28(
-            xy_q28[0],
-            ocel_mul_q60(ocel_mul_q60(jyy, dx_q40) - ocel_mul_q60(jxy, dy_q40), inverse_q60), e);
-        xy_q28[1] = moved_q28(
-            xy_q28[1],
-            ocel_mul_q60(ocel_mul_q60(jxx, dy_q40) - ocel_mul_q60(jxy, dx_q40), inverse_q60), e);
-        good = ocel_lens_within(xy_q28, OCEL_TAN2_80_Q56);
+        for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
+            const int64_t product_q40 =
+                ocel_mul_q60(j_q60[1U - i], d_q40[i]) - ocel_mul_q60(j_q60[J_XY], d_q40[1U - i]);
+
+            xy_q28[i] = moved_q28(xy_q28[i], ocel_mul_q60(product_q40, inverse_q60), (e + up) - 32);
+        }
+    } else {
+        xy_q28[0] = INT64_MAX;
     }
-    return good;
+    return ocel_lens_within(xy_q28, OCEL_TAN2_80_Q56);
 }
 
 /* Within 1/64 px: below 2^31 the product by a focal length is below 2^61, from there
  * on it is over 1/64 px for the shortest, 16 px. */
-static bool came_back(int64_t bent_q40, int64_t target_q28, int32_t focal_px_q16) {
-    const uint64_t off_q40 = ocel_abs64(bent_q40 - ocel_shl64(target_q28, 12U));
+static bool came_back(const ocel_intrinsics_t *lens, const bent_t *bent,
+                      const int64_t target_q28[2]) {
+    const int32_t focal_px_q16[2] = {lens->fx_px_q16, lens->fy_px_q16};
+    bool back = true;
 
-    return (off_q40 < 0x80000000U) && ((off_q40 * (uint64_t)focal_px_q16) <= TOLERANCE_Q56);
+    for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
+        const uint64_t off_q40 = ocel_abs64(bent->xy_q40[i] - ocel_shl64(target_q28[i], 12U));
+
+        back = back && (off_q40 < 0x80000000U) &&
+               ((off_q40 * (uint64_t)focal_px_q16[i]) <= TOLERANCE_Q56);
+    }
+    return back;
 }
 
 bool ocel_lens_unbend(const ocel_intrinsics_t *lens, int64_t xy_q28[2]) {
@@ -193,16 +201,15 @@ bool ocel_lens_unbend(const ocel_intrinsics_t *lens, int64_t xy_q28[2]) {
     for (uint32_t i = 0U; good && (i < (uint32_t)OCEL_UNDISTORT_STEPS); i++) {
         bend(lens, xy_q28, &bent);
         if (i == 0U) { /* the radial factor alone */
-            bent.j_q40[0] = bent.factor_q40;
-            bent.j_q40[1] = bent.factor_q40;
-            bent.cross_q40 = 0;
+            bent.j_q40[J_XX] = bent.factor_q40;
+            bent.j_q40[J_YY] = bent.factor_q40;
+            bent.j_q40[J_XY] = 0;
         }
         good = step(&bent, target_q28, xy_q28);
     }
     if (good) {
         bend(lens, xy_q28, &bent);
-        good = came_back(bent.xy_q40[0], target_q28[0], lens->fx_px_q16) &&
-               came_back(bent.xy_q40[1], target_q28[1], lens->fy_px_q16);
+        good = came_back(lens, &bent, target_q28);
     }
     return good;
 }

@@ -34,11 +34,19 @@ typedef struct {
     uint16_t height;
 } ocel_intrinsics_t;
 
+/* What is derived from the intrinsics for one axis of the image. */
+typedef struct {
+    int32_t f_px_q16;
+    int32_t c_px_q16;
+    int32_t first_px_q16; /* coordinates that may have a ray: first .. first + span */
+    uint32_t span_px_q16;
+    int64_t inverse_f_q60; /* px^-1 */
+} ocel_camera_axis_t;
+
 /* The intrinsics and what is derived from them once.  Opaque; may be copied. */
 typedef struct {
     ocel_intrinsics_t intrinsics;
-    int64_t inverse_fx_q60; /* 1 / fx, px^-1 */
-    int64_t inverse_fy_q60;
+    ocel_camera_axis_t axis[2]; /* x, y */
     int64_t reach_q56; /* squared tangent off the axis up to which the lens can be undone */
     bool distorted;
     bool ready;
@@ -47,7 +55,8 @@ typedef struct {
 /* Checks the intrinsics and derives what the others need.
  * OCEL_OK
  * OCEL_OUT_OF_RANGE   a focal length of 0 or outside its range, a principal point, a
- *                     coefficient or a side outside its range; the camera is not ready
+ *                     coefficient or a side outside its range, or no pixel of the image
+ *                     within 80 degrees of the axis; the camera is not ready
  * OCEL_NULL_ARGUMENT  a pointer is null */
 ocel_status_t ocel_camera_init(ocel_camera_t *camera, const ocel_intrinsics_t *intrinsics);
 
