@@ -10,9 +10,10 @@
 #include <ocellus/types.h>
 
 #include "arc.h"
+#include "board.h"
 #include "unity.h"
 
-enum { TERMS = 5, STEPS = 20000 };
+enum { TERMS = 5, STEPS = TEST_TRIALS_AT_LEAST(400, 20000) };
 
 void setUp(void) {
 }

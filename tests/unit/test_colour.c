@@ -13,6 +13,7 @@
 
 #include <ocellus/colour.h>
 
+#include "board.h"
 #include "bounds.h"
 #include "lanes.h"
 #include "pixel.h"
@@ -347,7 +348,7 @@ static int check_random(rng_t *rng, ocel_format_t format, ocel_space_t space) {
 }
 
 static void rows_of(ocel_format_t format) {
-    const int trials = (format == OCEL_FORMAT_RGB565) ? 40 : 1500;
+    const int trials = (format == OCEL_FORMAT_RGB565) ? TEST_TRIALS(40) : TEST_TRIALS(1500);
     for (int space = 0; space < SPACES; space++) {
         rng_t rng = rng_seed(SEED + 10U * (unsigned)format + (unsigned)space);
         int hits = 0;
@@ -389,7 +390,7 @@ static void test_every_width(void) {
                 {OCEL_SPACE_YUV, {0U, 0U, 0U}, {255U, 255U, 255U}}, (ocel_format_t)format, 0};
             c.range.lo[0] = (all != 0) ? 0U : 200U;
             for (c.width = step; c.width <= OCEL_MAX_WIDTH;
-                 c.width += step * ((format == 0) ? 37 : 1)) {
+                 c.width += step * ((format == 0) ? 37 : TEST_STEP)) {
                 const int hits =
                     check_line(&c, line, ocel_colour_line_bytes(c.format, (uint16_t)c.width));
                 TEST_ASSERT_EQUAL(((all != 0) ? c.width : 0), hits);
@@ -402,7 +403,7 @@ static void test_every_width(void) {
 
 static void test_table_holds_all_65536_colours(void) {
     rng_t rng = rng_seed(SEED);
-    for (int trial = 0; trial < 40; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(40); trial++) {
         const case_t c = {random_range(&rng, (ocel_space_t)(trial % SPACES)), OCEL_FORMAT_RGB565,
                           1};
         ocel_colour_t colour;
@@ -422,7 +423,7 @@ static void test_gray8_every_value(void) {
     for (int v = 0; v < 256; v++) {
         line[v] = (uint8_t)v;
     }
-    for (int trial = 0; trial < 4000; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(4000); trial++) {
         const case_t c = {random_range(&rng, (ocel_space_t)(trial % SPACES)), OCEL_FORMAT_GRAY8,
                           256};
         (void)check_line(&c, line, sizeof line);
@@ -455,7 +456,7 @@ static triple_t lattice(int at) {
 /* Bounds may hold what is not in range but must hold all that is. */
 static void test_rgb_bounds_hold_the_range(void) {
     rng_t rng = rng_seed(SEED);
-    for (int trial = 0; trial < 600; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(600); trial++) {
         const ocel_space_t space = (trial % 2 == 0) ? OCEL_SPACE_HSV : OCEL_SPACE_YUV;
         const case_t c = {random_range(&rng, space), OCEL_FORMAT_RGB888, 0};
         ocel_bounds_t bounds = bounds_of(&c.range);
@@ -464,7 +465,7 @@ static void test_rgb_bounds_hold_the_range(void) {
         } else {
             ocel_bounds_yuv_to_rgb(&bounds);
         }
-        for (int at = 0; at < LATTICE; at++) {
+        for (int at = 0; at < LATTICE; at += TEST_STEP) {
             if (twin_in(&c.range, lattice(at), NULL)) {
                 TEST_ASSERT_TRUE_MESSAGE(within(&bounds, lattice(at)), describe(&c, at));
             }
@@ -474,11 +475,11 @@ static void test_rgb_bounds_hold_the_range(void) {
 
 static void test_yuv_bounds_hold_the_range(void) {
     rng_t rng = rng_seed(SEED);
-    for (int trial = 0; trial < 300; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(300); trial++) {
         const case_t c = {random_range(&rng, OCEL_SPACE_RGB), OCEL_FORMAT_YUYV, 0};
         ocel_bounds_t bounds = bounds_of(&c.range);
         ocel_bounds_rgb_to_yuv(&bounds);
-        for (int at = 0; at < LATTICE; at++) {
+        for (int at = 0; at < LATTICE; at += TEST_STEP) {
             if (twin_in(&c.range, twin_rgb_of_yuv(lattice(at)), NULL)) {
                 TEST_ASSERT_TRUE_MESSAGE(within(&bounds, lattice(at)), describe(&c, at));
             }
@@ -489,7 +490,7 @@ static void test_yuv_bounds_hold_the_range(void) {
 /* The margin for rounding holds, and the bounds are no wider than it, on the
  * finest ranges there are: one colour. */
 static void test_bounds_of_a_single_yuv(void) {
-    for (int at = 0; at < LATTICE; at++) {
+    for (int at = 0; at < LATTICE; at += TEST_STEP) {
         const triple_t yuv = twin_yuv_of_rgb(lattice(at));
         ocel_bounds_t bounds;
         for (int k = 0; k < 3; k++) {
@@ -573,7 +574,7 @@ static void check_lanes(const unsigned *begin, const unsigned *end, unsigned v) 
 
 /* Every range and every value. */
 static void test_lane_ranges_exhaustively(void) {
-    for (unsigned begin = 0U; begin <= 256U; begin++) {
+    for (unsigned begin = 0U; begin <= 256U; begin += TEST_STEP) {
         for (unsigned end = begin; end <= 256U; end++) {
             const unsigned begins[2] = {begin, (begin * 7U) % (end + 1U)};
             const unsigned ends[2] = {end, end};
@@ -612,7 +613,7 @@ static void test_gather_every_pattern(void) {
 
 static void test_pixel_conversions(void) {
     rng_t rng = rng_seed(SEED);
-    for (int trial = 0; trial < 200000; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(200000); trial++) {
         const ocel_pixel_t p = {
             {rng_below(&rng, 256U), rng_below(&rng, 256U), rng_below(&rng, 256U)}};
         const triple_t v = {{p.c[0], p.c[1], p.c[2]}};

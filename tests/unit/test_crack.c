@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "board.h"
 #include "crack.h"
 #include "rng.h"
 #include "unity.h"
@@ -113,7 +114,7 @@ static void test_links_and_columns_of_every_size(void) {
 /* Chains begun, lengthened and given back at random, each cell's owner kept
  * beside. */
 static void test_no_cell_has_two_owners(void) {
-    enum { CHAINS = 40, STEPS = 200000 };
+    enum { CHAINS = 40, STEPS = TEST_TRIALS(200000) };
     static uint8_t owner[OCEL_MAX_CRACKS];
     uint32_t head[CHAINS + 1] = {0U};
     uint32_t tail[CHAINS + 1] = {0U};
@@ -260,7 +261,7 @@ static void test_wherever_the_cells_lie(void) {
     static uint32_t place[OCEL_MAX_CRACKS];
 
     ledger.fresh = OCEL_MAX_CRACKS;
-    for (int i = 0; i < 400; i++) {
+    for (int i = 0; i < TEST_TRIALS(400); i++) {
         const uint32_t rows = rng_below(&rng, OCEL_MAX_CRACKS / 2U - 1U) + 1U;
         const uint32_t left = rng_below(&rng, 300U);
         const uint32_t right = left + 1U + rng_below(&rng, (i % 2) ? 20U : 3000U);

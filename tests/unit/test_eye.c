@@ -8,6 +8,7 @@
 
 #include <ocellus/eye.h>
 
+#include "board.h"
 #include "masks.h"
 #include "unity.h"
 
@@ -92,7 +93,7 @@ static void assert_disc(double cx, double cy, double radius, double tolerance) {
 /* ---- What is seen ---- */
 
 static void test_a_disc_is_seen_where_it_is(void) {
-    for (int i = 0; i < 50; i++) {
+    for (int i = 0; i < TEST_TRIALS(50); i++) {
         const double radius = rng_uniform(&rng, 8.0, 100.0);
         const double cx = rng_uniform(&rng, radius + 1.0, W - radius - 2.0);
         const double cy = rng_uniform(&rng, radius + 1.0, H - radius - 2.0);
@@ -219,7 +220,7 @@ static void test_a_line_of_pixels_has_no_ellipse(void) {
 /* ---- Two ways, the same bits ---- */
 
 static void test_streamed_and_whole_frames_agree(void) {
-    for (int i = 0; i < 60; i++) {
+    for (int i = 0; i < TEST_TRIALS(60); i++) {
         const int width = rng_between(&rng, 1, W);
         const int height = rng_between(&rng, 1, H);
 

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "board.h"
 #include "fit_support.h"
 #include "rng.h"
 #include "unity.h"
@@ -340,7 +341,7 @@ static ocel_status_t status_by_the_rule(const ocel_ellipse_t *e, size_t count) {
 static void test_partial(void) {
     static const double arcs[] = {60.0, 75.0, 90.0, 105.0, 135.0, 150.0, 180.0};
     const ref_ellipse_t truth = {160.0, 120.0, 40.0, 40.0, 0.0};
-    enum { TRIALS = 300 };
+    enum { TRIALS = TEST_TRIALS_AT_LEAST(20, 300) };
     for (size_t k = 0; k < sizeof(arcs) / sizeof(arcs[0]); k++) {
         int vouched[METHODS] = {0, 0, 0};
         int wrong[METHODS] = {0, 0, 0};
@@ -377,7 +378,8 @@ static void test_partial(void) {
 static void test_short_arcs_of_few_points(void) {
     const ref_ellipse_t truth = {160.0, 120.0, 40.0, 40.0, 0.0};
     int told[2] = {0, 0};
-    for (int trial = 0; trial < 300; trial++) {
+    const int trials = TEST_TRIALS_AT_LEAST(30, 300);
+    for (int trial = 0; trial < trials; trial++) {
         const double first = rng_uniform(&rng, 0, 360);
         draw_arc(&truth, first, 90.0, 9, rng_log_uniform(&rng, 0.005, 0.1));
         for (size_t m = 0; m < METHODS; m++) {
@@ -390,12 +392,12 @@ static void test_short_arcs_of_few_points(void) {
             }
         }
     }
-    TEST_ASSERT_TRUE((told[0] > 100) && (told[1] > 100));
+    TEST_ASSERT_TRUE((told[0] > trials / 3) && (told[1] > trials / 3));
 }
 
 /* Exact points are vouched for whatever their arc. */
 static void test_exact_short_arcs_are_vouched_for(void) {
-    for (int trial = 0; trial < 200; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(200); trial++) {
         const ref_ellipse_t truth = random_ellipse(10.0, 200.0);
         draw_random_arc(&truth, 45.0, 90.0, 60, 0.0);
         for (size_t m = 0; m < METHODS; m++) {
@@ -455,7 +457,7 @@ static void test_boundary_statuses(void) {
 /* The bits of ocel_fit_cracks with b2ac, closed or not; but a short arc gets no
  * second opinion here, so it is never vouched for. */
 static void test_boundary_equals_cracks(void) {
-    for (int trial = 0; trial < 200; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(200); trial++) {
         const size_t count = draw_random_disc(2, 60);
         const size_t used = (trial % 2 == 0) ? count : count / 2U + 3U;
         for (int closed = 0; closed < 2; closed++) {
@@ -479,7 +481,7 @@ static void test_boundary_of_thin_ellipses(void) {
     static ref_point_t same[4096];
     double worst = 0.0;
     int tried = 0;
-    for (int trial = 0; trial < 400; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(400); trial++) {
         const double a = rng_log_uniform(&rng, 10.0, 150.0);
         const double b = rng_log_uniform(&rng, 1.5, a);
         const double angle = rng_uniform(&rng, 0.0, FIT_PI);
@@ -523,7 +525,7 @@ static void test_boundary_of_thin_ellipses(void) {
 
 static void test_translation_by_whole_pixels(void) {
     static const int32_t shift[][2] = {{1, 0}, {0, -1}, {-640, 480}, {15000, -15000}};
-    for (int trial = 0; trial < 60; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(60); trial++) {
         const ref_ellipse_t truth = random_ellipse(5.0, 200.0);
         const size_t count = (size_t)rng_between(&rng, 20, 300);
         draw_random_arc(&truth, 100, 360, count, (trial % 2) * 0.3);
@@ -548,7 +550,7 @@ static void test_translation_by_whole_pixels(void) {
 }
 
 static void test_translated_cracks(void) {
-    for (int trial = 0; trial < 40; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(40); trial++) {
         const size_t count = draw_random_disc(4, 50);
         const int16_t dx = (int16_t)rng_between(&rng, -10, 3000);
         const int16_t dy = (int16_t)rng_between(&rng, -10, 3000);
@@ -572,7 +574,7 @@ static void test_translated_cracks(void) {
 
 static void test_order_of_points(void) {
     static uint32_t order[MAX_POINTS];
-    for (int trial = 0; trial < 60; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(60); trial++) {
         const ref_ellipse_t truth = random_ellipse(5.0, 200.0);
         const size_t count = (size_t)rng_between(&rng, 20, 300);
         draw_random_arc(&truth, 100, 360, count, (trial % 2) * 0.3);
@@ -613,7 +615,7 @@ static void test_order_of_cracks(void) {
  * knows up from down. */
 static void test_mirrored_and_turned(void) {
     const double few = 4.0 / ONE_PX;
-    for (int trial = 0; trial < 100; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(100); trial++) {
         const ref_ellipse_t truth = random_ellipse(5.0, 200.0);
         const size_t count = (size_t)rng_between(&rng, 20, 300);
         draw_random_arc(&truth, 180, 360, count, (trial % 2) * 0.3);
@@ -675,7 +677,7 @@ static void test_repeated_points(void) {
 
 /* The fast path and the wide one on the same boundary. */
 static void test_cracks_against_points(void) {
-    for (int trial = 0; trial < 200; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(200); trial++) {
         const size_t count = draw_random_disc(3, 60);
         cracks_to_fixed(count);
         /* Whole boundaries, and parts of them. */
@@ -711,7 +713,7 @@ static ref_method_t reference_of(ocel_fit_method_t method) {
 static void test_against_the_reference(void) {
     double worst[METHODS] = {0.0, 0.0, 0.0};
     double worst_rms = 0.0;
-    for (int trial = 0; trial < 2000; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(2000); trial++) {
         const ref_ellipse_t truth = random_ellipse(10.0, 200.0);
         const size_t count = (size_t)rng_between(&rng, 20, 300);
         const double sigma = rng_log_uniform(&rng, 1e-3, 0.02 * truth.b);
@@ -751,7 +753,7 @@ static void test_against_the_reference(void) {
 /* ---- LCSE ---- */
 
 static void test_lcse_leaves_stable_points_alone(void) {
-    for (int trial = 0; trial < 50; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(50); trial++) {
         const ref_ellipse_t truth = random_ellipse(10.0, 200.0);
         draw_arc(&truth, 0.0, 300.0, 120, 1e-3 * truth.a);
         static const ocel_perturb_t quiet[2] = {OCEL_PERTURB_AUTO, OCEL_PERTURB_NEVER};
@@ -815,7 +817,7 @@ static void test_perturb_is_for_lcse_only(void) {
 
 static void test_lcse_against_the_reference(void) {
     double worst = 0.0;
-    for (int trial = 0; trial < 300; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(300); trial++) {
         const ref_ellipse_t truth = random_ellipse(10.0, 200.0);
         const size_t count = (size_t)rng_between(&rng, 40, 300);
         draw_random_arc(&truth, 200, 360, count, (trial % 2) * 0.1);
@@ -859,7 +861,7 @@ static void test_lcse_on_cracks(void) {
 static void test_hyper_has_no_radius_bias(void) {
     const ref_ellipse_t truth = {50.0, 50.0, 5.0, 5.0, 0.0};
     double bias[METHODS] = {0.0, 0.0, 0.0};
-    enum { TRIALS = 2000 };
+    enum { TRIALS = TEST_TRIALS_AT_LEAST(200, 2000) };
     for (int trial = 0; trial < TRIALS; trial++) {
         draw_arc(&truth, 0.0, 360.0, 100, 0.3);
         for (size_t m = 0; m < METHODS; m++) {
@@ -914,7 +916,7 @@ static void test_arc_coverage(void) {
 static void test_centre_sigma(void) {
     static const double arcs[] = {130.0, 180.0, 240.0, 360.0};
     const ref_ellipse_t circle = {160.0, 120.0, 50.0, 50.0, 0.0};
-    enum { TRIALS = 400 };
+    enum { TRIALS = TEST_TRIALS_AT_LEAST(20, 400) };
     for (size_t k = 0; k < 4U; k++) {
         double squares = 0.0;
         double foretold = 0.0;
@@ -974,7 +976,7 @@ static int32_t hostile_coordinate(int kind) {
 }
 
 static void test_hostile_points(void) {
-    for (int trial = 0; trial < 30000; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(30000); trial++) {
         const size_t count = (size_t)rng_between(&rng, 5, 12);
         const int kind_x = (int)rng_below(&rng, 6);
         const int kind_y = (rng_below(&rng, 2) == 0U) ? kind_x : (int)rng_below(&rng, 6);
@@ -993,7 +995,7 @@ static void test_hostile_points(void) {
 }
 
 static void test_hostile_cracks(void) {
-    for (int trial = 0; trial < 20000; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(20000); trial++) {
         const size_t count = (size_t)rng_between(&rng, 5, 12);
         const int32_t reach = (trial % 3 == 0) ? 32767 : ((trial % 3 == 1) ? 8192 : 5);
         for (size_t i = 0; i < count; i++) {

@@ -9,7 +9,7 @@
 
 #include "label_check.h"
 
-enum { SEED = 19840303, MASKS = 6000 };
+enum { SEED = 19840303, MASKS = TEST_TRIALS_AT_LEAST(40, 6000) };
 
 static mask_t mask;
 static rng_t rng;
@@ -37,7 +37,7 @@ static int at_most(int value, int limit) {
 /* ---- Against the twin ---- */
 
 static void test_all_masks_of_four_by_four(void) {
-    for (unsigned bits = 0U; bits < 65536U; bits++) {
+    for (unsigned bits = 0U; bits < 65536U; bits += TEST_STEP) {
         mask_clear(&mask, 4, 4);
         for (int i = 0; i < 16; i++) {
             mask.pixel[i] = (uint8_t)((bits >> i) & 1U);
@@ -49,7 +49,7 @@ static void test_all_masks_of_four_by_four(void) {
 }
 
 static void test_all_masks_of_seven_by_two(void) {
-    for (unsigned bits = 0U; bits < 16384U; bits++) {
+    for (unsigned bits = 0U; bits < 16384U; bits += TEST_STEP) {
         mask_clear(&mask, 7, 2);
         for (int i = 0; i < 14; i++) {
             mask.pixel[i] = (uint8_t)((bits >> i) & 1U);
@@ -389,7 +389,7 @@ static void test_a_frame_may_be_given_up(void) {
 /* ---- Centroids ---- */
 
 static void test_centroid_is_rounded_to_the_nearest(void) {
-    for (int i = 0; i < 2000; i++) {
+    for (int i = 0; i < TEST_TRIALS(2000); i++) {
         ocel_blob_t blob;
         int32_t cx = -1;
         int32_t cy = -1;

@@ -6,12 +6,13 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "board.h"
 #include "perturb.h"
 #include "rng.h"
 #include "trig.h"
 #include "unity.h"
 
-enum { SEED = 20110605, RANDOM_TRIALS = 500000 };
+enum { SEED = 20110605, RANDOM_TRIALS = TEST_TRIALS(500000) };
 
 #define ONE_Q26 ((int32_t)1 << 26)
 #define AMPLITUDE_LSB 67109 /* 0.001 * 2^26 = 67108.864, rounded up */
@@ -67,7 +68,7 @@ static void check_point(int32_t x, int32_t y) {
     /* Rounding to Q26 is half an LSB; rounding theta moves the phase by up to
      * 2 pi * 6283 * 2^-33 rad: 0.31 LSB more. */
     if ((stated > 0.501L) || (paper > 0.82L)) {
-        printf("x %ld y %ld: %Lf and %Lf LSB\n", (long)x, (long)y, stated, paper);
+        printf("x %ld y %ld: %f and %f LSB\n", (long)x, (long)y, (double)stated, (double)paper);
         TEST_FAIL_MESSAGE("perturbation beyond its stated error");
     }
 }
@@ -88,9 +89,9 @@ static void random_points_follow_the_formula(void) {
             check_point(x, y);
         }
     }
-    printf("perturb: worst %.4Lf LSB with theta as stated (0.501), %.4Lf LSB against the plain "
+    printf("perturb: worst %.4f LSB with theta as stated (0.501), %.4f LSB against the plain "
            "formula (0.82)\n",
-           worst_stated, worst_paper);
+           (double)worst_stated, (double)worst_paper);
 }
 
 static void edges_follow_the_formula(void) {
@@ -117,7 +118,7 @@ static void the_origin_stays(void) {
 
 /* theta = 0, phase = 0: nothing moves, at any radius. */
 static void the_positive_x_axis_stays(void) {
-    for (int i = 0; i < 10000; i++) {
+    for (int i = 0; i < TEST_TRIALS(10000); i++) {
         const int32_t start = 1 + (int32_t)rng_below(&rng, (uint32_t)ONE_Q26);
         int32_t x = start;
         int32_t y = 0;
@@ -129,7 +130,7 @@ static void the_positive_x_axis_stays(void) {
 
 static void points_stay_in_the_stated_range(void) {
     int32_t furthest = 0;
-    for (int32_t i = 0; i < 200000; i++) { /* along two sides of the unit square */
+    for (int32_t i = 0; i < 200000; i += TEST_STEP) { /* along two sides of the unit square */
         int32_t x = ONE_Q26;
         int32_t y = -ONE_Q26 + (i * 671);
         int32_t u = -y;
@@ -146,7 +147,7 @@ static void points_stay_in_the_stated_range(void) {
 /* "Maintaining the ellipse average": displacements of many points cancel, and
  * their mean square is that of a sine, A^2 / 2. */
 static void displacements_average_out(void) {
-    enum { COUNT = 100000 };
+    enum { COUNT = TEST_TRIALS_AT_LEAST(1000, 100000) };
     double sum = 0.0;
     double squares = 0.0;
     for (int i = 0; i < COUNT; i++) {

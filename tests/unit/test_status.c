@@ -47,9 +47,10 @@ static void ok_is_zero(void) {
     TEST_ASSERT_EQUAL_INT(0, (int)OCEL_OK);
 }
 
-/* Values that fit the enumeration's type but name nothing. */
+/* Values that fit the enumeration's type, be it a byte as on Arm, but name nothing. */
 static void other_values_are_unknown(void) {
-    for (int v = (int)OCEL_BAD_ORDER + 1; v < 300; v++) {
+    const int last = (sizeof(ocel_status_t) == 1U) ? 255 : 300;
+    for (int v = (int)OCEL_BAD_ORDER + 1; v <= last; v++) {
         TEST_ASSERT_EQUAL_STRING("unknown", ocel_status_name((ocel_status_t)v));
     }
     TEST_ASSERT_EQUAL_STRING("unknown", ocel_status_name((ocel_status_t)0x7FFFFFFF));
