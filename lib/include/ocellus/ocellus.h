@@ -26,10 +26,13 @@
 #include <ocellus/eye.h>
 #include <ocellus/fit.h>
 #include <ocellus/head.h>
+#include <ocellus/gaze.h>
 #include <ocellus/label.h>
 #include <ocellus/space.h>
 #include <ocellus/sphere.h>
 #include <ocellus/status.h>
+#include <ocellus/track.h>
+#include <ocellus/tracker.h>
 #include <ocellus/types.h>
 #include <ocellus/version.h>
 
