@@ -91,11 +91,28 @@ static inline bool is_on(const ocel_camera_axis_t *axis, int32_t v_px_q16) {
     return ((uint32_t)v_px_q16 - (uint32_t)axis->first_px_q16) <= axis->span_px_q16;
 }
 
-/* (v - c) / f, |v - c| <= f tan 80 < 2^33 in Q16, shifted to Q43 below 2^60. */
-static inline int64_t slope_q28(const ocel_camera_axis_t *axis, int32_t v_px_q16) {
-    const int64_t offset_px_q43 = ((int64_t)v_px_q16 - axis->c_px_q16) * 0x8000000;
+/* (v - c) / f.  |v - c| < 2^33 in Q16, shifted to Q43 below 2^60. */
+static inline int64_t slope_q28(const ocel_camera_axis_t *axis, int64_t v_px_q16) {
+    const int64_t offset_px_q43 = (v_px_q16 - axis->c_px_q16) * 0x8000000;
 
     return ocel_shift_round64(ocel_mul_q60(offset_px_q43, axis->inverse_f_q60), 15U);
+}
+
+/* The lens undone, and within its reach.  Slopes are each within 80 degrees here, so
+ * their squares are 2^61.1 at most. */
+static inline bool finish(const ocel_camera_t *camera, int64_t slopes_q28[2], int32_t xy_q28[2]) {
+    bool seen = true;
+
+    if (camera->distorted) {
+        seen = ocel_lens_unbend(&camera->intrinsics, slopes_q28);
+    }
+    seen = seen && (((slopes_q28[0] * slopes_q28[0]) + (slopes_q28[1] * slopes_q28[1])) <=
+                    camera->reach_q56);
+    if (seen) {
+        xy_q28[0] = (int32_t)slopes_q28[0];
+        xy_q28[1] = (int32_t)slopes_q28[1];
+    }
+    return seen;
 }
 
 bool ocel_camera_normalise(const ocel_camera_t *camera, int32_t x_px_q16, int32_t y_px_q16,
@@ -106,24 +123,23 @@ bool ocel_camera_normalise(const ocel_camera_t *camera, int32_t x_px_q16, int32_
         int64_t slopes_q28[2] = {slope_q28(&camera->axis[0], x_px_q16),
                                  slope_q28(&camera->axis[1], y_px_q16)};
 
-        if (camera->distorted) {
-            seen = ocel_lens_unbend(&camera->intrinsics, slopes_q28);
-        }
-        /* Each is within 80 degrees here, so the squares are 2^61.1 at most. */
-        seen = seen && (((slopes_q28[0] * slopes_q28[0]) + (slopes_q28[1] * slopes_q28[1])) <=
-                        camera->reach_q56);
-        if (seen) {
-            xy_q28[0] = (int32_t)slopes_q28[0];
-            xy_q28[1] = (int32_t)slopes_q28[1];
-        }
+        seen = finish(camera, slopes_q28, xy_q28);
     }
     return seen;
 }
 
-/* (x, y, 1) / sqrt(x^2 + y^2 + 1).  The square is 1 to 33.2, in Q56 at least 1/16 of
- * 2^60, so e is 0..3.  Slopes in Q58 are below 2^60.6, the product in Q58 too; the
- * root is of the square over 16, so 2^2 is left out of e. */
-static void unit_ray(const int32_t xy_q28[2], int32_t d_q30[3]) {
+bool ocel_camera_normalise_beyond(const ocel_camera_t *camera, const int64_t pixel_q16[2],
+                                  int32_t xy_q28[2]) {
+    int64_t slopes_q28[2] = {slope_q28(&camera->axis[0], pixel_q16[0]),
+                             slope_q28(&camera->axis[1], pixel_q16[1])};
+
+    return ocel_lens_within(slopes_q28, OCEL_TAN2_80_Q56) && finish(camera, slopes_q28, xy_q28);
+}
+
+/* The square is 1 to 33.2, in Q56 at least 1/16 of 2^60, so e is 0..3.  Slopes in Q58
+ * are below 2^60.6, the products in Q58 too; the root is of the square over 16, so 2^2
+ * is left out of e. */
+void ocel_camera_unit(const int32_t xy_q28[2], int32_t d_q30[3]) {
     const int64_t p_q28[3] = {xy_q28[0], xy_q28[1], 0x10000000};
     int64_t square_q56 = 0;
     int64_t y_q60;
@@ -153,7 +169,7 @@ ocel_status_t ocel_camera_ray(const ocel_camera_t *camera, const ocel_point_t *p
         if (!camera->ready) {
             status = OCEL_BAD_ORDER;
         } else if (ocel_camera_normalise(camera, pixel->x_px_q16, pixel->y_px_q16, xy_q28)) {
-            unit_ray(xy_q28, d_cam_q30);
+            ocel_camera_unit(xy_q28, d_cam_q30);
             status = OCEL_OK;
         } else {
             status = OCEL_OUT_OF_RANGE;

@@ -19,4 +19,11 @@
 bool ocel_camera_normalise(const ocel_camera_t *camera, int32_t x_px_q16, int32_t y_px_q16,
                            int32_t xy_q28[2]);
 
+/* The same whether or not the image holds the pixel; coordinates within 2^32. */
+bool ocel_camera_normalise_beyond(const ocel_camera_t *camera, const int64_t pixel_q16[2],
+                                  int32_t xy_q28[2]);
+
+/* (x, y, 1) / sqrt(x^2 + y^2 + 1), of slopes within 80 degrees; error below 1 LSB. */
+void ocel_camera_unit(const int32_t xy_q28[2], int32_t d_q30[3]);
+
 #endif

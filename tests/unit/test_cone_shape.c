@@ -5,9 +5,11 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <ocellus/cone.h>
+#include <ocellus/fit.h>
 #include <ocellus/sphere.h>
 
 #include "fit_support.h"
@@ -246,6 +248,194 @@ static void outlines_of_any_bytes(void) {
     }
 }
 
+/* There and back.  The outline is rounded to Q16 px and the cone to Q30. */
+static void cone_of_its_outline(void) {
+    double worst_axis = 0.0;
+    double worst_sine = 0.0;
+    for (int i = 0; i < TRIALS; i++) {
+        ocel_camera_t camera;
+        const ocel_cone_t cone = any_view(&camera);
+        ocel_ellipse_t e;
+        ocel_cone_t back;
+        TEST_ASSERT_EQUAL(OCEL_OK, ocel_cone_outline(&camera, &cone, &e));
+        TEST_ASSERT_EQUAL(OCEL_OK, ocel_cone_of_ellipse(&camera, &e, &back));
+        /* Half an LSB of Q16 px is 2^-17 / f rad at most; of the radius, 2^-17 / b. */
+        const double f = fmin(camera.intrinsics.fx_px_q16, camera.intrinsics.fy_px_q16) / 65536.0;
+        const double b = e.b_px_q16 / 65536.0;
+        for (int k = 0; k < 3; k++) {
+            const double off = abs(back.axis_cam_q30[k] - cone.axis_cam_q30[k]) / 1073741824.0;
+            worst_axis = fmax(worst_axis, off * f);
+        }
+        const double off = fabs((double)back.sin_q30 / cone.sin_q30 - 1.0);
+        worst_sine = fmax(worst_sine, off * b);
+    }
+    printf("there and back: axis %.2e px, radius %.2e px\n", worst_axis, worst_sine);
+    TEST_ASSERT_TRUE(worst_axis < 3e-5);
+    TEST_ASSERT_TRUE(worst_sine < 6e-5);
+}
+
+static void cones_of_the_vectors(void) {
+    const ocel_camera_t camera = camera_of(257.34, 257.34, 160.0, 120.0);
+    for (int i = 0; i < 2; i++) {
+        const vector_t *v = &VECTORS[i];
+        ocel_ellipse_t e;
+        ocel_cone_t cone;
+        ocel_sphere_t sphere;
+        memset(&e, 0, sizeof(e));
+        e.cx_px_q16 = px(v->cx);
+        e.cy_px_q16 = px(v->cy);
+        e.a_px_q16 = px(v->a);
+        e.b_px_q16 = px(v->b);
+        e.angle_turn_q32 = (uint32_t)llround(v->angle_deg / 360.0 * 4294967296.0);
+        e.rms_px_q16 = 12U;
+        e.arc_coverage_q16 = 34U;
+        e.point_count = 56U;
+        TEST_ASSERT_EQUAL(OCEL_OK, ocel_cone_of_ellipse(&camera, &e, &cone));
+        TEST_ASSERT_EQUAL(OCEL_OK,
+                          ocel_sphere_of_cone(&cone, (int32_t)lround(v->r * 1e6), &sphere));
+        /* The vectors have four decimals: 5e-5 px of 21 is 1 um at .4 m. */
+        TEST_ASSERT_INT32_WITHIN(3, (int32_t)lround(v->x * 1e6), sphere.p_cam_u[0]);
+        TEST_ASSERT_INT32_WITHIN(3, (int32_t)lround(v->y * 1e6), sphere.p_cam_u[1]);
+        TEST_ASSERT_INT32_WITHIN(3, (int32_t)lround(v->z * 1e6), sphere.p_cam_u[2]);
+        TEST_ASSERT_EQUAL_UINT32(12U, cone.rms_px_q16);
+        TEST_ASSERT_EQUAL_UINT32(34U, cone.arc_coverage_q16);
+        TEST_ASSERT_EQUAL_UINT32(56U, cone.point_count);
+        TEST_ASSERT_EQUAL_UINT32(56U, cone.inlier_count);
+        for (int k = 0; k < OCEL_SYM3_COUNT; k++) {
+            TEST_ASSERT_EQUAL_INT64(0, cone.cov_q60[k]); /* no sigma */
+        }
+    }
+}
+
+/* Sigma over the radius along the axis, that times the sine over root 2 across it. */
+static void cone_has_the_ellipse_s_uncertainty(void) {
+    const ocel_camera_t camera = camera_of(300.0, 300.0, 160.0, 120.0);
+    const ocel_cone_t cone = cone_of(0.0, 0.0, 1.0, 0.1);
+    ocel_ellipse_t e;
+    ocel_cone_t back;
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_cone_outline(&camera, &cone, &e));
+    e.centre_sigma_px_q16 = (uint32_t)e.a_px_q16 / 50U;
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_cone_of_ellipse(&camera, &e, &back));
+    const double one = 1152921504606846976.0;
+    TEST_ASSERT_TRUE(fabs(sqrt((double)back.cov_q60[OCEL_ZZ] / one) - 0.02) < 1e-5);
+    TEST_ASSERT_TRUE(fabs(sqrt((double)back.cov_q60[OCEL_XX] / one) - 0.002 / sqrt(2.0)) < 1e-6);
+    TEST_ASSERT_EQUAL_INT64(back.cov_q60[OCEL_XX], back.cov_q60[OCEL_YY]);
+    e.centre_sigma_px_q16 = UINT32_MAX; /* no idea: as far off as it is away */
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_cone_of_ellipse(&camera, &e, &back));
+    TEST_ASSERT_TRUE((double)back.cov_q60[OCEL_ZZ] / one > 0.99);
+}
+
+/* A lens bends the outline; its cone is the same to second order. */
+static void cone_through_a_lens(void) {
+    ocel_camera_t camera = camera_of(300.0, 300.0, 160.0, 120.0);
+    ocel_intrinsics_t in = camera.intrinsics;
+    in.k1_q24 = (int32_t)(-0.3 * 16777216.0);
+    in.k2_q24 = (int32_t)(0.1 * 16777216.0);
+    in.width = 320U;
+    in.height = 240U;
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_camera_init(&camera, &in));
+    const ocel_cone_t cone = cone_of(0.2, -0.1, 1.0, 0.05);
+    ocel_point_t points[RAYS];
+    ocel_ellipse_t e;
+    ocel_cone_t back;
+    for (int k = 0; k < RAYS; k++) {
+        const spot_t flat = ray_of(&camera, &cone, k);
+        const int32_t p[3] = {(int32_t)((flat.x - 160.0L) / 300.0L * 1e8L),
+                              (int32_t)((flat.y - 120.0L) / 300.0L * 1e8L), 100000000};
+        TEST_ASSERT_EQUAL(OCEL_OK, ocel_camera_project(&camera, p, &points[k]));
+    }
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_fit_points(points, RAYS, NULL, &e));
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_cone_of_ellipse(&camera, &e, &back));
+    for (int k = 0; k < 3; k++) {
+        TEST_ASSERT_INT32_WITHIN(300000, cone.axis_cam_q30[k], back.axis_cam_q30[k]); /* .1 px */
+    }
+    TEST_ASSERT_TRUE(fabs((double)back.sin_q30 / cone.sin_q30 - 1.0) < 1e-3);
+}
+
+/* Cut by the image's edge: what lies beyond is the cone's all the same. */
+static void cone_beyond_the_image(void) {
+    ocel_camera_t camera = camera_of(300.0, 300.0, 160.0, 120.0);
+    ocel_intrinsics_t in = camera.intrinsics;
+    const ocel_cone_t cone = cone_of(-0.55, 0.0, 1.0, 0.1);
+    ocel_ellipse_t e;
+    ocel_cone_t back;
+    in.width = 320U;
+    in.height = 240U;
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_camera_init(&camera, &in));
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_cone_outline(&camera, &cone, &e));
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_cone_of_ellipse(&camera, &e, &back));
+    TEST_ASSERT_INT32_WITHIN(100, cone.axis_cam_q30[0], back.axis_cam_q30[0]);
+}
+
+static ocel_status_t cone_of_axes(const ocel_camera_t *camera, double a, double b, double cx) {
+    ocel_cone_t zero;
+    ocel_cone_t cone;
+    ocel_ellipse_t e;
+    memset(&zero, 0, sizeof(zero));
+    memset(&e, 0, sizeof(e));
+    memset(&cone, 0x55, sizeof(cone));
+    e.a_px_q16 = px(a);
+    e.b_px_q16 = px(b);
+    e.cx_px_q16 = px(cx);
+    const ocel_status_t status = ocel_cone_of_ellipse(camera, &e, &cone);
+    if (status != OCEL_OK) {
+        TEST_ASSERT_EQUAL_MEMORY(&zero, &cone, sizeof(cone));
+    }
+    return status;
+}
+
+static void cones_that_are_none(void) {
+    const ocel_camera_t camera = camera_of(300.0, 300.0, 0.0, 0.0);
+    const ocel_camera_t telephoto = camera_of(16384.0, 16384.0, 0.0, 0.0);
+    ocel_camera_t unready;
+    ocel_cone_t cone;
+    ocel_ellipse_t e;
+    memset(&unready, 0, sizeof(unready));
+    memset(&e, 0, sizeof(e));
+    TEST_ASSERT_EQUAL(OCEL_OK, cone_of_axes(&camera, 20.0, 20.0, 0.0));
+    TEST_ASSERT_EQUAL(OCEL_DEGENERATE, cone_of_axes(&camera, 0.0, 0.0, 0.0));
+    TEST_ASSERT_EQUAL(OCEL_DEGENERATE, cone_of_axes(&camera, 20.0, 0.0, 0.0));
+    TEST_ASSERT_EQUAL(OCEL_DEGENERATE, cone_of_axes(&camera, -20.0, 20.0, 0.0));
+    TEST_ASSERT_EQUAL(OCEL_DEGENERATE, cone_of_axes(&telephoto, 1e-3, 1e-3, 0.0));
+    TEST_ASSERT_EQUAL(OCEL_OUT_OF_RANGE, cone_of_axes(&camera, 20.0, 20.0, 1700.0));
+    TEST_ASSERT_EQUAL(OCEL_OUT_OF_RANGE, cone_of_axes(&camera, 1690.0, 1690.0, 20.0));
+    TEST_ASSERT_EQUAL(OCEL_OUT_OF_RANGE, cone_of_axes(&camera, 16384.0, 1.0, 32767.0));
+    TEST_ASSERT_EQUAL(OCEL_BAD_ORDER, ocel_cone_of_ellipse(&unready, &e, &cone));
+    TEST_ASSERT_EQUAL(OCEL_NULL_ARGUMENT, ocel_cone_of_ellipse(NULL, &e, &cone));
+    TEST_ASSERT_EQUAL(OCEL_NULL_ARGUMENT, ocel_cone_of_ellipse(&camera, NULL, &cone));
+    TEST_ASSERT_EQUAL(OCEL_NULL_ARGUMENT, ocel_cone_of_ellipse(&camera, &e, NULL));
+}
+
+/* Any bytes for an ellipse: a cone that is one, or a status. */
+static void cones_of_any_bytes(void) {
+    int seen = 0;
+    for (int i = 0; i < TRIALS * 5; i++) {
+        const ocel_camera_t camera =
+            camera_of(rng_log_uniform(&rng, 16.0, 16384.0), rng_log_uniform(&rng, 16.0, 16384.0),
+                      rng_uniform(&rng, -16384.0, 16384.0), rng_uniform(&rng, -16384.0, 16384.0));
+        ocel_ellipse_t e;
+        ocel_cone_t cone;
+        memset(&e, 0, sizeof(e));
+        e.cx_px_q16 = (int32_t)rng_u32(&rng) >> rng_below(&rng, 31U);
+        e.cy_px_q16 = (int32_t)rng_u32(&rng) >> rng_below(&rng, 31U);
+        e.a_px_q16 = (int32_t)rng_u32(&rng) >> rng_below(&rng, 31U);
+        e.b_px_q16 = (int32_t)rng_u32(&rng) >> rng_below(&rng, 31U);
+        e.angle_turn_q32 = rng_u32(&rng);
+        e.centre_sigma_px_q16 = rng_u32(&rng) >> rng_below(&rng, 31U);
+        if (ocel_cone_of_ellipse(&camera, &e, &cone) == OCEL_OK) {
+            double length = 0.0;
+            for (int k = 0; k < 3; k++) {
+                length += pow(cone.axis_cam_q30[k] / 1073741824.0, 2.0);
+            }
+            TEST_ASSERT_TRUE(fabs(length - 1.0) < 1e-8);
+            TEST_ASSERT_TRUE((cone.sin_q30 > 0U) && (cone.sin_q30 < (1U << 30U)));
+            seen++;
+        }
+    }
+    printf("any ellipse: %d of %d have a cone\n", seen, TRIALS * 5);
+    TEST_ASSERT_TRUE(seen > TRIALS / 20);
+}
+
 int main(void) {
     printf("seed %d\n", SEED);
     UNITY_BEGIN();
@@ -254,5 +444,12 @@ int main(void) {
     RUN_TEST(outlines_on_the_axis);
     RUN_TEST(outlines_that_are_none);
     RUN_TEST(outlines_of_any_bytes);
+    RUN_TEST(cone_of_its_outline);
+    RUN_TEST(cones_of_the_vectors);
+    RUN_TEST(cone_has_the_ellipse_s_uncertainty);
+    RUN_TEST(cone_through_a_lens);
+    RUN_TEST(cone_beyond_the_image);
+    RUN_TEST(cones_that_are_none);
+    RUN_TEST(cones_of_any_bytes);
     return UNITY_END();
 }
