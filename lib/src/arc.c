@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arc.h"
 
-#include <stdbool.h>
-
 #include "int_math.h"
 #include "q60.h"
 #include "scale.h"
@@ -16,11 +14,6 @@ typedef struct {
     int32_t yy_q29;
     int32_t shift;
 } rounding_t;
-
-/* tan of 1/32, 2/32 and 3/32 of a turn, Q16. */
-#define TAN_1_Q16 13036
-#define TAN_2_Q16 27146
-#define TAN_3_Q16 43790
 
 /* centre sigma * sqrt(n) / rms, Q4, when k of 32 sectors are covered, k = 3..32:
  * the Kanatani-Cramer-Rao bound of the centre, RMS of the vector, for points
@@ -54,24 +47,6 @@ static rounding_t rounding_of(const ocel_conic_t *conic, const ocel_frame_t *fra
     return map;
 }
 
-/* The sector, 0..31, of a direction; |x|, |y| <= 2^31.  An eighth of a turn is
- * counted from the nearer axis; each fold mirrors the count. */
-static uint32_t sector_of(int64_t x, int64_t y) {
-    const uint32_t ax = (uint32_t)ocel_abs64(x);
-    const uint32_t ay = (uint32_t)ocel_abs64(y);
-    const bool steep = ax < ay;
-    const uint64_t small_q16 = (uint64_t)(steep ? ax : ay) << 16U;
-    const uint32_t large = steep ? ay : ax;
-    uint32_t sector = 0U;
-
-    sector += (small_q16 >= ((uint64_t)large * TAN_1_Q16)) ? 1U : 0U;
-    sector += (small_q16 >= ((uint64_t)large * TAN_2_Q16)) ? 1U : 0U;
-    sector += (small_q16 >= ((uint64_t)large * TAN_3_Q16)) ? 1U : 0U;
-    sector ^= steep ? 7U : 0U;
-    sector ^= (x < 0) ? 15U : 0U;
-    return sector ^ ((y < 0) ? 31U : 0U);
-}
-
 /* a * x + b * y, shifted: |a|, |b| <= 2^29 and |x|, |y| < 2^31 (the distance of
  * two coordinates in half Q16 px), so the sum is within 2^61. */
 static int64_t mapped(int32_t a, int32_t b, int32_t x, int32_t y, int32_t shift) {
@@ -89,39 +64,16 @@ static uint32_t sectors_hit(const ocel_source_t *source, const rounding_t *map,
         const int32_t dx = (int32_t)ocel_asr64(p.x - ellipse->cx_px_q16, 1U);
         const int32_t dy = (int32_t)ocel_asr64(p.y - ellipse->cy_px_q16, 1U);
 
-        hit |= 1U << sector_of(mapped(map->xx_q29, map->xy_q29, dx, dy, map->shift),
-                               mapped(map->yx_q29, map->yy_q29, dx, dy, map->shift));
+        hit |= 1U << ocel_sector_of(mapped(map->xx_q29, map->xy_q29, dx, dy, map->shift),
+                                    mapped(map->yx_q29, map->yy_q29, dx, dy, map->shift));
     }
     return hit;
-}
-
-/* Sectors covered: those hit and the gaps between them that are no longer than
- * `gap`, which so few points may leave in a covered arc. */
-static uint32_t sectors_covered(uint32_t hit, uint32_t gap) {
-    uint32_t covered = 0U;
-    uint32_t empty = 0U;
-    bool started = false;
-    uint32_t i;
-
-    for (i = 0U; i < (2U * OCEL_ARC_SECTORS); i++) { /* bound: two turns */
-        if ((hit & (1U << (i % OCEL_ARC_SECTORS))) != 0U) {
-            if (started && (i >= OCEL_ARC_SECTORS) && (empty <= gap)) {
-                covered += empty;
-            }
-            covered += (i >= OCEL_ARC_SECTORS) ? 1U : 0U;
-            empty = 0U;
-            started = true;
-        } else {
-            empty++;
-        }
-    }
-    return covered;
 }
 
 /* rms * spread / sqrt(count): rms < 2^30, spread < 2^18. */
 static uint32_t centre_sigma(uint32_t rms_px_q16, uint32_t count, uint32_t covered) {
     /* An arc short of the turn begins and ends within a sector: one less. */
-    const uint32_t sectors = (covered < OCEL_ARC_SECTORS) ? (covered - 1U) : covered;
+    const uint32_t sectors = (covered < OCEL_SECTORS) ? (covered - 1U) : covered;
     const uint32_t index = (sectors < SPREAD_FIRST) ? 0U : (sectors - SPREAD_FIRST);
     const uint64_t spread = (uint64_t)rms_px_q16 * spread_q4[index];
     ocel_scaled_t root;
@@ -137,11 +89,11 @@ uint32_t ocel_arc_sectors(const ocel_source_t *source, const ocel_conic_t *conic
                           const ocel_frame_t *frame, const ocel_ellipse_t *ellipse) {
     const rounding_t map = rounding_of(conic, frame, ellipse->a_px_q16);
 
-    return sectors_covered(sectors_hit(source, &map, ellipse),
-                           (2U * OCEL_ARC_SECTORS) / (uint32_t)source->count);
+    return ocel_sectors_covered(sectors_hit(source, &map, ellipse),
+                                (2U * OCEL_SECTORS) / (uint32_t)source->count);
 }
 
 void ocel_arc_judge(uint32_t sectors, ocel_ellipse_t *ellipse) {
-    ellipse->arc_coverage_q16 = sectors * (65536U / OCEL_ARC_SECTORS);
+    ellipse->arc_coverage_q16 = sectors * (65536U / OCEL_SECTORS);
     ellipse->centre_sigma_px_q16 = centre_sigma(ellipse->rms_px_q16, ellipse->point_count, sectors);
 }

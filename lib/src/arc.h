@@ -11,11 +11,9 @@
 
 #include "conic.h"
 #include "moments.h"
+#include "sector.h"
 
-/* Sectors into which the turn is divided. */
-#define OCEL_ARC_SECTORS 32U
-
-/* Sectors, 0..32, that the points cover as seen from the ellipse's centre, in a
+/* Sectors, 0..32 (sector.h), that the points cover as seen from the ellipse's centre, in a
  * frame in which the ellipse is a circle. */
 uint32_t ocel_arc_sectors(const ocel_source_t *source, const ocel_conic_t *conic,
                           const ocel_frame_t *frame, const ocel_ellipse_t *ellipse);

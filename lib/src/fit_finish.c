@@ -36,7 +36,7 @@ ocel_status_t ocel_fit_finish(const ocel_solution_t *solution, const ocel_source
             ocel_ellipse_of_conic(&solution->conic, &solution->spread, &solution->frame, ellipse);
     }
     if (status == OCEL_OK) {
-        uint32_t sectors = OCEL_ARC_SECTORS;
+        uint32_t sectors = OCEL_SECTORS;
 
         ellipse->point_count = (uint32_t)source->count;
         if (!closed) {

@@ -68,9 +68,9 @@ static double bound(double arc) {
 
 /* An rms of 1 px and 2^14 points make sigma the table's entry over 2^7. */
 static void test_sigma_is_the_bound(void) {
-    for (uint32_t sectors = 4; sectors <= OCEL_ARC_SECTORS; sectors++) {
-        const uint32_t seen = (sectors < OCEL_ARC_SECTORS) ? (sectors - 1U) : sectors;
-        const double wanted = bound(2.0 * 3.14159265358979323846 * seen / OCEL_ARC_SECTORS);
+    for (uint32_t sectors = 4; sectors <= OCEL_SECTORS; sectors++) {
+        const uint32_t seen = (sectors < OCEL_SECTORS) ? (sectors - 1U) : sectors;
+        const double wanted = bound(2.0 * 3.14159265358979323846 * seen / OCEL_SECTORS);
         ocel_ellipse_t ellipse = {0};
         ellipse.rms_px_q16 = 65536U;
         ellipse.point_count = 16384U;

@@ -51,6 +51,11 @@
  * for stronger ones. */
 #define OCEL_UNDISTORT_STEPS 6
 
+/* Cones through three points that the robust fit tries (cone_vote.c).  Half of a
+ * ball's outline hidden by a straight edge leaves 61 % of the boundary on it: the
+ * rule of the triples then has 20 hypotheses of 64 wholly there. */
+#define OCEL_CONE_HYPOTHESES 64
+
 /* Entries of the RGB565 colour table: one bit a colour, 32 blues a word. */
 #define OCEL_COLOUR_TABLE_WORDS 2048
 
