@@ -9,12 +9,13 @@
 
 #include <ocellus/camera.h>
 
+#include "board.h"
 #include "camera_ray.h"
 #include "lens.h"
 #include "rng.h"
 #include "unity.h"
 
-enum { SEED = 20110921, TRIALS = 200000, LENS_TRIALS = 20000 };
+enum { SEED = 20110921, TRIALS = TEST_TRIALS(200000), LENS_TRIALS = TEST_TRIALS(20000) };
 
 #define Q28 268435456.0L
 #define Q30 1073741824.0L

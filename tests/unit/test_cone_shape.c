@@ -12,11 +12,12 @@
 #include <ocellus/fit.h>
 #include <ocellus/sphere.h>
 
+#include "board.h"
 #include "fit_support.h"
 #include "rng.h"
 #include "unity.h"
 
-enum { SEED = 20100606, TRIALS = 20000, RAYS = 24 };
+enum { SEED = 20100606, TRIALS = TEST_TRIALS(20000), RAYS = 24 };
 
 #define Q30 1073741824.0L
 

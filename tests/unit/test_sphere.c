@@ -8,10 +8,11 @@
 
 #include <ocellus/sphere.h>
 
+#include "board.h"
 #include "rng.h"
 #include "unity.h"
 
-enum { SEED = 20110722, TRIALS = 200000 };
+enum { SEED = 20110722, TRIALS = TEST_TRIALS(200000) };
 
 #define Q30 1073741824.0L
 #define Q60 (Q30 * Q30)

@@ -116,7 +116,8 @@ ocel_status_t ocel_eye_refit(const ocel_eye_t *eye, const ocel_fit_options_t *op
  *   cone       out; written for OCEL_OK, OCEL_PARTIAL and OCEL_CLIPPED, zeroed otherwise.
  * OCEL_OK, OCEL_PARTIAL, OCEL_DEGENERATE, OCEL_TOO_FEW_POINTS, OCEL_OUT_OF_RANGE
  *                     as in ocel_cone_fit_cracks
- * OCEL_CLIPPED        cut by the image's edge and not vouched for: an estimate
+ * OCEL_CLIPPED        cut by the image's edge and not vouched for: an estimate, or
+ *                     none, a cone of zeros (the image is full of the colour, say)
  * OCEL_NOT_SEEN, OCEL_OVERFLOW  as the detection
  * OCEL_BAD_ORDER      no boundary, or the camera was not initialised
  * OCEL_NULL_ARGUMENT  a pointer is null */

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The cone through the boundary that the eye holds.
+ */
+#include <ocellus/eye.h>
+
+#include <string.h>
+
+/* A blob that the image's edge cuts, and whose rest does not suffice.  (A point out of
+ * range stays that: the camera is not the frame's.) */
+static ocel_status_t as_clipped(ocel_status_t status) {
+    const bool unsure =
+        (status == OCEL_PARTIAL) || (status == OCEL_DEGENERATE) || (status == OCEL_TOO_FEW_POINTS);
+
+    return unsure ? OCEL_CLIPPED : status;
+}
+
+ocel_status_t ocel_eye_cone(const ocel_eye_t *eye, const ocel_camera_t *camera,
+                            const ocel_detection_t *detection, ocel_cone_t *cone) {
+    size_t count = 0U;
+    const ocel_crack_t *cracks = ocel_eye_boundary(eye, &count);
+    ocel_status_t status = OCEL_BAD_ORDER;
+
+    if (cone != NULL) {
+        (void)memset(cone, 0, sizeof(*cone));
+    }
+    if ((eye == NULL) || (camera == NULL) || (detection == NULL) || (cone == NULL)) {
+        status = OCEL_NULL_ARGUMENT;
+    } else if (!camera->ready) {
+        /* The camera was not initialised. */
+    } else if ((detection->status == OCEL_NOT_SEEN) || (detection->status == OCEL_OVERFLOW)) {
+        status = detection->status;
+    } else if (cracks != NULL) {
+        status = ocel_cone_fit_cracks(camera, cracks, count, cone);
+        if (detection->blob.touches_edge) {
+            status = as_clipped(status);
+        }
+    } else if ((detection->status == OCEL_CLIPPED) && (detection->boundary_count == 0U)) {
+        status = OCEL_CLIPPED; /* the image is full of it */
+    } else {
+        /* There is no boundary. */
+    }
+    return status;
+}
