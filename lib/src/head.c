@@ -16,20 +16,15 @@
 #include "pose.h"
 #include "trig.h"
 
-typedef struct {
-    int32_t r_q30[3][3];
-    int64_t p_q30[3]; /* u */
-} frame_t;
-
 /* Turns the axes `first` and `first + 1` about the third: new = cos old + sin next.
  * A row of the rotation has the length 1, so each sum is below 2^60.1. */
-static void turn_axes(frame_t *frame, uint32_t first, uint32_t turn_q32) {
+static void turn_axes(int32_t r_q30[3][3], uint32_t first, uint32_t turn_q32) {
     int32_t sin_q30;
     int32_t cos_q30;
 
     ocel_sincos(turn_q32, &sin_q30, &cos_q30);
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-        int32_t *row = &frame->r_q30[i][first];
+        int32_t *row = &r_q30[i][first];
         const int64_t a = row[0];
         const int64_t b = row[1];
 
@@ -49,47 +44,44 @@ static uint32_t link_turn(const ocel_head_link_t *link, const int32_t *joints_q3
     return (uint32_t)((uint64_t)turn_q32 & 0xFFFFFFFFU);
 }
 
-/* Moves the origin along one of the frame's axes. */
-static void slide(frame_t *frame, uint32_t axis, int64_t length_u) {
-    for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-        frame->p_q30[i] += length_u * frame->r_q30[i][axis];
-    }
-}
-
 /* The chain to one side's camera.  All lengths together are below 2^30 u, so the
  * position in Q30 is below 2^60 and fits int32_t in u. */
 static void chain(const ocel_head_model_t *model, const int32_t *joints_q32, int32_t side,
                   ocel_pose_t *X_root_eye) {
-    frame_t frame;
+    int64_t p_q30[3] = {0, 0, 0}; /* u, from the base */
 
-    (void)memcpy(frame.r_q30, model->X_root_base.r_q30, sizeof(frame.r_q30));
-    for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-        frame.p_q30[i] = ocel_shl64((int64_t)model->X_root_base.p_u[i], 30U);
-    }
+    *X_root_eye = model->X_root_base;
     for (uint32_t n = 0U; n < model->link_count; n++) { /* bound: OCEL_MAX_HEAD_LINKS = 8 */
         const ocel_head_link_t *link = &model->links[n];
-        const uint32_t turn_q32[2] = {link_turn(link, joints_q32, side), (uint32_t)link->alpha_q32};
+        const int64_t a_u = link->a_u;
+        const int64_t d_u = (int64_t)link->d_u + ((int64_t)side * link->d_side_u);
 
-        slide(&frame, 2U, (int64_t)link->d_u + ((int64_t)side * link->d_side_u));
-        for (uint32_t k = 0U; k < 2U; k++) { /* bound: theta about z, alpha about x */
-            turn_axes(&frame, k, turn_q32[k]);
+        turn_axes(X_root_eye->r_q30, 0U, link_turn(link, joints_q32, side));
+        for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
+            p_q30[i] += (a_u * X_root_eye->r_q30[i][0]) + (d_u * X_root_eye->r_q30[i][2]);
         }
-        slide(&frame, 0U, link->a_u); /* alpha leaves x where theta brought it */
+        turn_axes(X_root_eye->r_q30, 1U, (uint32_t)link->alpha_q32);
     }
-    (void)memcpy(X_root_eye->r_q30, frame.r_q30, sizeof(frame.r_q30));
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-        X_root_eye->p_u[i] = (int32_t)ocel_shift_round64(frame.p_q30[i], 30U);
+        X_root_eye->p_u[i] += (int32_t)ocel_shift_round64(p_q30[i], 30U);
     }
 }
 
+/* A model's vergence is at least 0 and its pan at most half a turn: what the vergence
+ * leaves of the pan fits. */
 static bool within_limits(const ocel_head_model_t *model, const int32_t *joints_q32) {
-    const uint64_t pan_q32 = ocel_abs64(joints_q32[OCEL_EYES_VERSION]) +
-                             ocel_abs64(ocel_asr32(joints_q32[OCEL_EYES_VERGENCE], 1U));
-    bool within = pan_q32 <= (uint64_t)model->max_pan_q32;
+    bool within = true;
 
     for (uint32_t j = 0U; j < (uint32_t)OCEL_JOINT_COUNT; j++) { /* bound: OCEL_JOINT_COUNT = 6 */
         within =
             within && (joints_q32[j] >= model->min_q32[j]) && (joints_q32[j] <= model->max_q32[j]);
+    }
+    if (within) {
+        const int32_t room_q32 =
+            model->max_pan_q32 - ocel_asr32(joints_q32[OCEL_EYES_VERGENCE], 1U);
+
+        within = (joints_q32[OCEL_EYES_VERSION] <= room_q32) &&
+                 (joints_q32[OCEL_EYES_VERSION] >= -room_q32);
     }
     return within;
 }

@@ -48,14 +48,15 @@ typedef struct {
 } ocel_head_link_t;
 
 /* A head.  The last link ends in the camera's frame (x right, y down, z forward).
- * The links' lengths and the base's position come to less than 2^30 u together. */
+ * The links' lengths and the base's position come to less than 2^30 u together; the least
+ * vergence is 0 or more. */
 typedef struct {
     ocel_pose_t X_root_base;
     ocel_head_link_t links[OCEL_MAX_HEAD_LINKS];
     uint32_t link_count;
     int32_t min_q32[OCEL_JOINT_COUNT];
     int32_t max_q32[OCEL_JOINT_COUNT];
-    int32_t max_pan_q32; /* of each eye: |version| + vergence / 2 is at most this */
+    int32_t max_pan_q32; /* of each eye: |version| + vergence / 2 is at most this, >= 0 */
 } ocel_head_model_t;
 
 /* The paper's head (its Tables 1 and 2): u is a millionth of its SMU; root x forward,

@@ -31,6 +31,7 @@
 #include <ocellus/space.h>
 #include <ocellus/sphere.h>
 #include <ocellus/status.h>
+#include <ocellus/stereo.h>
 #include <ocellus/track.h>
 #include <ocellus/tracker.h>
 #include <ocellus/types.h>
