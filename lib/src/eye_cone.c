@@ -26,8 +26,6 @@ ocel_status_t ocel_eye_cone(const ocel_eye_t *eye, const ocel_camera_t *camera,
     }
     if ((eye == NULL) || (camera == NULL) || (detection == NULL) || (cone == NULL)) {
         status = OCEL_NULL_ARGUMENT;
-    } else if (!camera->ready) {
-        /* The camera was not initialised. */
     } else if ((detection->status == OCEL_NOT_SEEN) || (detection->status == OCEL_OVERFLOW)) {
         status = detection->status;
     } else if (cracks != NULL) {

@@ -190,6 +190,25 @@ static void a_sliver_at_the_edge_is_clipped(void) {
     TEST_ASSERT_EQUAL_MEMORY(&zero, &cone, sizeof(cone));
 }
 
+/* A wall that fills half of the image has a straight border and no cone; a bar away
+ * from the edges is what the fit says it is. */
+static void straight_borders_have_no_cone(void) {
+    size_t count = 0U;
+    mask_box(&mask, 0, 0, 100, H, true);
+    TEST_ASSERT_EQUAL(OCEL_CLIPPED, look());
+    const ocel_crack_t *cracks = ocel_eye_boundary(&eye, &count);
+    TEST_ASSERT_EQUAL(OCEL_DEGENERATE, ocel_cone_fit_cracks(&camera, cracks, count, &cone));
+    TEST_ASSERT_EQUAL(OCEL_CLIPPED, ocel_eye_cone(&eye, &camera, &detection, &cone));
+    TEST_ASSERT_EQUAL_MEMORY(&zero, &cone, sizeof(cone));
+    mask_clear(&mask, W, H);
+    mask_box(&mask, 100, 100, 60, 60, true);
+    TEST_ASSERT_EQUAL(OCEL_OK, look());
+    cracks = ocel_eye_boundary(&eye, &count);
+    const ocel_status_t status = ocel_cone_fit_cracks(&camera, cracks, count, &cone);
+    TEST_ASSERT_TRUE((status == OCEL_PARTIAL) || (status == OCEL_DEGENERATE));
+    TEST_ASSERT_EQUAL(status, ocel_eye_cone(&eye, &camera, &detection, &cone));
+}
+
 static void a_lost_boundary_is_an_overflow(void) {
     for (int x = 2; x < W - 2; x += 2) { /* a comb: more cracks than the pool holds */
         mask_box(&mask, x, 2, 1, H - 6, true);
@@ -252,6 +271,7 @@ int main(void) {
     RUN_TEST(a_cut_ball_is_ok_or_clipped);
     RUN_TEST(a_covered_camera_has_none);
     RUN_TEST(a_sliver_at_the_edge_is_clipped);
+    RUN_TEST(straight_borders_have_no_cone);
     RUN_TEST(a_lost_boundary_is_an_overflow);
     RUN_TEST(a_camera_of_another_size_is_out_of_range);
     RUN_TEST(calls_out_of_order);
