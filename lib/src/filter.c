@@ -30,7 +30,7 @@ static int64_t square_q6(int32_t v) {
 
 /* A measurement's entry, Q6.  Positions are whole numbers, which nothing knows
  * better than to 1 u: so much is added to a variance, and none is 0. */
-static int64_t noise_q6(const ocel_measurement_t *measurement, uint32_t entry) {
+static int64_t noise_q6(const ocel_estimate_t *measurement, uint32_t entry) {
     const int64_t rounding = (row_of[entry] == column_of[entry]) ? 64 : 0;
 
     return ocel_shl64(measurement->cov_root_u2[entry], 6U) + rounding;
@@ -70,7 +70,7 @@ static void limit_state(ocel_filter_t *filter, int32_t max_speed_u_s) {
 }
 
 void ocel_filter_start(ocel_filter_t *filter, const ocel_tracker_config_t *config,
-                       const ocel_measurement_t *measurement) {
+                       const ocel_estimate_t *measurement) {
     const int32_t speed_u_s =
         (int32_t)ocel_udiv64((uint64_t)(uint32_t)config->max_speed_u_s << 16U, config->gate_q16);
 
@@ -114,19 +114,19 @@ void ocel_filter_advance(ocel_filter_t *filter, const ocel_tracker_config_t *con
 }
 
 /* What a measurement says of an axis, against what was predicted; within 2^47. */
-static int64_t error_u_q16(const ocel_filter_t *filter, const ocel_measurement_t *measurement,
+static int64_t error_u_q16(const ocel_filter_t *filter, const ocel_estimate_t *measurement,
                            uint32_t axis) {
     return ((int64_t)measurement->p_root_u[axis] * 65536) - filter->p_u_q16[axis];
 }
 
 /* The variance of that: 64 .. 2^59. */
-static int64_t variance_q6(const ocel_filter_t *filter, const ocel_measurement_t *measurement,
+static int64_t variance_q6(const ocel_filter_t *filter, const ocel_estimate_t *measurement,
                            uint32_t axis) {
     return filter->cov_q6[diagonal[axis]][PP] + noise_q6(measurement, diagonal[axis]);
 }
 
 bool ocel_filter_admits(const ocel_filter_t *filter, const ocel_tracker_config_t *config,
-                        const ocel_measurement_t *measurement) {
+                        const ocel_estimate_t *measurement) {
     bool admits = true;
 
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
@@ -153,7 +153,7 @@ static void correct_block(int64_t block[BLOCK], const int64_t row_q47[2],
 /* Kalman's gains of each axis, negated: the covariances of its position and of its
  * velocity with the position, over the variance of the error. */
 void ocel_filter_correct(ocel_filter_t *filter, const ocel_tracker_config_t *config,
-                         const ocel_measurement_t *measurement) {
+                         const ocel_estimate_t *measurement) {
     int64_t gains_q47[3][2];
 
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */

@@ -23,7 +23,7 @@
 /* A filter at the measurement, at rest; the gate then holds what is in reach at
  * max_speed_u_s. */
 void ocel_filter_start(ocel_filter_t *filter, const ocel_tracker_config_t *config,
-                       const ocel_measurement_t *measurement);
+                       const ocel_estimate_t *measurement);
 
 /* Predicts; dt_us <= OCEL_SECONDS_MAX_US. */
 void ocel_filter_advance(ocel_filter_t *filter, const ocel_tracker_config_t *config,
@@ -31,10 +31,10 @@ void ocel_filter_advance(ocel_filter_t *filter, const ocel_tracker_config_t *con
 
 /* Whether a measurement lies within the gate, along every axis. */
 bool ocel_filter_admits(const ocel_filter_t *filter, const ocel_tracker_config_t *config,
-                        const ocel_measurement_t *measurement);
+                        const ocel_estimate_t *measurement);
 
 /* Takes a measurement. */
 void ocel_filter_correct(ocel_filter_t *filter, const ocel_tracker_config_t *config,
-                         const ocel_measurement_t *measurement);
+                         const ocel_estimate_t *measurement);
 
 #endif

@@ -36,7 +36,7 @@ static bool is_config_valid(const ocel_tracker_config_t *config) {
     return valid;
 }
 
-static bool is_measurement_valid(const ocel_measurement_t *measurement) {
+static bool is_measurement_valid(const ocel_estimate_t *measurement) {
     const int64_t *const cov = measurement->cov_root_u2;
     bool valid = (cov[OCEL_XX] >= 0) && (cov[OCEL_YY] >= 0) && (cov[OCEL_ZZ] >= 0);
 
@@ -87,8 +87,7 @@ static uint32_t go_on(ocel_tracker_t *tracker, int64_t time_us) {
 
 /* Whether the measurement agrees with the one that was refused in the frame before;
  * then that one is the track. */
-static bool restarts(ocel_tracker_t *tracker, uint32_t dt_us,
-                     const ocel_measurement_t *measurement) {
+static bool restarts(ocel_tracker_t *tracker, uint32_t dt_us, const ocel_estimate_t *measurement) {
     ocel_filter_t other;
     bool agrees = tracker->has_refused;
 
@@ -105,7 +104,7 @@ static bool restarts(ocel_tracker_t *tracker, uint32_t dt_us,
 
 /* Takes or refuses the measurement of a frame. */
 static ocel_status_t judge(ocel_tracker_t *tracker, uint32_t dt_us,
-                           const ocel_measurement_t *measurement) {
+                           const ocel_estimate_t *measurement) {
     const ocel_tracker_config_t *const config = &tracker->config;
     bool taken = true;
 
@@ -150,7 +149,7 @@ static void report(const ocel_tracker_t *tracker, ocel_track_t *track) {
 }
 
 ocel_status_t ocel_tracker_update(ocel_tracker_t *tracker, int64_t time_us,
-                                  const ocel_measurement_t *measurement, ocel_track_t *track) {
+                                  const ocel_estimate_t *measurement, ocel_track_t *track) {
     ocel_status_t status = OCEL_NOT_SEEN;
 
     if (track != NULL) {

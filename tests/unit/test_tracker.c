@@ -37,9 +37,9 @@ static ocel_tracker_t tracker_of(const ocel_tracker_config_t *config) {
     return tracker;
 }
 
-static ocel_measurement_t at(int32_t x, int32_t y, int32_t z, int32_t sigma_u) {
+static ocel_estimate_t at(int32_t x, int32_t y, int32_t z, int32_t sigma_u) {
     const int64_t v = (int64_t)sigma_u * sigma_u;
-    const ocel_measurement_t m = {{x, y, z}, {v, 0, 0, v, 0, v}};
+    const ocel_estimate_t m = {{x, y, z}, {v, 0, 0, v, 0, v}};
     return m;
 }
 
@@ -52,7 +52,7 @@ typedef struct {
 
 static const int ENTRY[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
-static double noise(const ocel_measurement_t *m, int i, int j) {
+static double noise(const ocel_estimate_t *m, int i, int j) {
     return (double)m->cov_root_u2[ENTRY[i][j]] + ((i == j) ? 1.0 : 0.0);
 }
 
@@ -78,7 +78,7 @@ static void sandwich(double p[6][6], double a[6][6]) {
 }
 
 static void ref_start(ref_t *ref, const ocel_tracker_config_t *config,
-                      const ocel_measurement_t *m) {
+                      const ocel_estimate_t *m) {
     const double speed = config->max_speed_u_s * 65536.0 / config->gate_q16;
     memset(ref, 0, sizeof(*ref));
     for (int i = 0; i < 3; i++) {
@@ -111,7 +111,7 @@ static void ref_advance(ref_t *ref, const ocel_tracker_config_t *config, double 
     }
 }
 
-static void ref_correct(ref_t *ref, const ocel_measurement_t *m) {
+static void ref_correct(ref_t *ref, const ocel_estimate_t *m) {
     double k[6][3] = {{0}};
     double a[6][6] = {{0}};
     for (int i = 0; i < 3; i++) {
@@ -152,8 +152,8 @@ static void check_against(const ref_t *ref, const ocel_track_t *track) {
 }
 
 /* A slanting ellipsoid: thin across the line of sight, long along it. */
-static ocel_measurement_t slanting(const double truth[3]) {
-    ocel_measurement_t m;
+static ocel_estimate_t slanting(const double truth[3]) {
+    ocel_estimate_t m;
     double d[3];
     const double length = sqrt(truth[0] * truth[0] + truth[1] * truth[1] + truth[2] * truth[2]);
     const double along = rng_gauss(&rng) * 3000.0;
@@ -184,7 +184,7 @@ static void agrees_with_double_precision(void) {
         for (int i = 0; i < 3; i++) {
             v[i] = rng_uniform(&rng, -1e6, 1e6);
         }
-        ocel_measurement_t m = slanting(truth);
+        ocel_estimate_t m = slanting(truth);
         TEST_ASSERT_EQUAL(OCEL_OK, ocel_tracker_update(&tracker, time, &m, &track));
         ref_start(&ref, &config, &m);
         check_against(&ref, &track);
@@ -218,7 +218,7 @@ static void follows_a_straight_line(void) {
     ocel_tracker_t tracker = tracker_of(&config);
     ocel_track_t track;
     for (int frame = 0; frame < 30; frame++) {
-        const ocel_measurement_t m = at(400000 + 3000 * frame, -2000 * frame, 100000, 100);
+        const ocel_estimate_t m = at(400000 + 3000 * frame, -2000 * frame, 100000, 100);
         TEST_ASSERT_EQUAL(OCEL_OK,
                           ocel_tracker_update(&tracker, (int64_t)frame * 20000, &m, &track));
         TEST_ASSERT_EQUAL(OCEL_TRACK_SEEN, track.state);
@@ -241,7 +241,7 @@ static void hidden_is_guessed_then_lost(void) {
     const ocel_tracker_config_t config = usual();
     ocel_tracker_t tracker = tracker_of(&config);
     ocel_track_t track;
-    ocel_measurement_t m = at(400000, 0, 0, 100);
+    ocel_estimate_t m = at(400000, 0, 0, 100);
     int64_t time = 0;
     TEST_ASSERT_EQUAL(OCEL_NOT_SEEN, ocel_tracker_update(&tracker, -5, NULL, &track));
     TEST_ASSERT_EQUAL(OCEL_TRACK_LOST, track.state);
@@ -276,7 +276,7 @@ static void hidden_is_guessed_then_lost(void) {
 static ocel_tracker_t resting(const ocel_tracker_config_t *config, int64_t *time) {
     ocel_tracker_t tracker = tracker_of(config);
     ocel_track_t track;
-    const ocel_measurement_t m = at(500000, 0, 0, 100);
+    const ocel_estimate_t m = at(500000, 0, 0, 100);
     *time = 0;
     for (int frame = 0; frame < 20; frame++) {
         *time += FRAME_US;
@@ -290,7 +290,7 @@ static void an_outlier_is_refused(void) {
     int64_t time;
     ocel_tracker_t tracker = resting(&config, &time);
     ocel_track_t track;
-    ocel_measurement_t m = at(500000, 300000, 0, 100);
+    ocel_estimate_t m = at(500000, 300000, 0, 100);
     time += FRAME_US;
     TEST_ASSERT_EQUAL(OCEL_PARTIAL, ocel_tracker_update(&tracker, time, &m, &track));
     TEST_ASSERT_EQUAL(OCEL_TRACK_GUESSED, track.state);
@@ -319,7 +319,7 @@ static void two_that_agree_restart(void) {
     int64_t time;
     ocel_tracker_t tracker = resting(&config, &time);
     ocel_track_t track;
-    ocel_measurement_t m = at(500000, 300000, 0, 100);
+    ocel_estimate_t m = at(500000, 300000, 0, 100);
     time += FRAME_US;
     TEST_ASSERT_EQUAL(OCEL_PARTIAL, ocel_tracker_update(&tracker, time, &m, &track));
     time += FRAME_US;
@@ -341,7 +341,7 @@ static void gate_of_a_new_track_is_the_reach(void) {
     for (int way = -1; way <= 1; way += 2) {
         ocel_tracker_t tracker = tracker_of(&config);
         ocel_track_t track;
-        ocel_measurement_t m = at(0, 0, 0, 0);
+        ocel_estimate_t m = at(0, 0, 0, 0);
         TEST_ASSERT_EQUAL(OCEL_OK, ocel_tracker_update(&tracker, 0, &m, &track));
         m.p_root_u[2] = way * 1001000;
         TEST_ASSERT_EQUAL(OCEL_PARTIAL, ocel_tracker_update(&tracker, 100000, &m, &track));
@@ -363,7 +363,7 @@ static void the_gate_has_a_floor(void) {
         config.gate_floor_u = k * 20000;
         int64_t time;
         ocel_tracker_t tracker = resting(&config, &time);
-        const ocel_measurement_t m = at(500000, 15000, 0, 100);
+        const ocel_estimate_t m = at(500000, 15000, 0, 100);
         TEST_ASSERT_EQUAL((k == 0) ? OCEL_PARTIAL : OCEL_OK,
                           ocel_tracker_update(&tracker, time + FRAME_US, &m, &track));
     }
@@ -377,7 +377,7 @@ static void velocity_is_clamped(void) {
     ocel_tracker_t tracker = tracker_of(&config);
     ocel_track_t track;
     for (int frame = 0; frame < 5; frame++) {
-        const ocel_measurement_t m = at(frame * 10000000, -frame * 10000000, 0, 100);
+        const ocel_estimate_t m = at(frame * 10000000, -frame * 10000000, 0, 100);
         TEST_ASSERT_EQUAL(OCEL_OK,
                           ocel_tracker_update(&tracker, (int64_t)frame * 100000, &m, &track));
     }
@@ -396,7 +396,7 @@ static void known_acceleration_bends_the_guess(void) {
     for (int frame = 0; frame < 45; frame++) {
         const double t = frame / 60.0;
         z = 2e6 * t - 9.81e6 * t * t / 2.0;
-        const ocel_measurement_t m = at(700000, 0, (int32_t)lround(z), 200);
+        const ocel_estimate_t m = at(700000, 0, (int32_t)lround(z), 200);
         time = llround(t * 1e6);
         (void)ocel_tracker_update(&tracker, time, (frame < 27) ? &m : NULL, &track);
     }
@@ -434,7 +434,7 @@ static void time_goes_forward_only(void) {
     ocel_tracker_t tracker = resting(&config, &time);
     ocel_track_t track;
     ocel_track_t zero;
-    const ocel_measurement_t m = at(500000, 0, 0, 100);
+    const ocel_estimate_t m = at(500000, 0, 0, 100);
     memset(&zero, 0, sizeof(zero));
     const ocel_tracker_t before = tracker;
     TEST_ASSERT_EQUAL(OCEL_BAD_ORDER, ocel_tracker_update(&tracker, time - 1, &m, &track));
@@ -459,7 +459,7 @@ static void a_gap_of_hours_ends_the_track(void) {
         int64_t time;
         ocel_tracker_t tracker = resting(&config, &time);
         ocel_tracker_t other = tracker;
-        const ocel_measurement_t m = at(-500000, 1, 2, 100);
+        const ocel_estimate_t m = at(-500000, 1, 2, 100);
         TEST_ASSERT_EQUAL(OCEL_NOT_SEEN,
                           ocel_tracker_update(&tracker, time + GAPS[k], NULL, &track));
         TEST_ASSERT_EQUAL(OCEL_TRACK_LOST, track.state);
@@ -468,7 +468,7 @@ static void a_gap_of_hours_ends_the_track(void) {
         TEST_ASSERT_EQUAL_INT32(0, track.v_root_u_s[0]);
     }
     ocel_tracker_t tracker = tracker_of(&config);
-    const ocel_measurement_t m = at(1, 2, 3, 1);
+    const ocel_estimate_t m = at(1, 2, 3, 1);
     TEST_ASSERT_EQUAL(OCEL_OK, ocel_tracker_update(&tracker, INT64_MIN, &m, &track));
     TEST_ASSERT_EQUAL(OCEL_OK, ocel_tracker_update(&tracker, INT64_MAX, &m, &track));
     TEST_ASSERT_EQUAL_INT64(INT64_MAX, track.seen_us);
@@ -480,7 +480,7 @@ static void the_coasting_time_counts_from_the_last_measurement(void) {
     int64_t time;
     ocel_tracker_t tracker = resting(&config, &time);
     ocel_track_t track;
-    const ocel_measurement_t away = at(5000000, 0, 0, 100);
+    const ocel_estimate_t away = at(5000000, 0, 0, 100);
     TEST_ASSERT_EQUAL(OCEL_NOT_SEEN, ocel_tracker_update(&tracker, time + 500000, NULL, &track));
     TEST_ASSERT_EQUAL(OCEL_TRACK_GUESSED, track.state);
     TEST_ASSERT_EQUAL(OCEL_PARTIAL, ocel_tracker_update(&tracker, time + 500000, &away, &track));
@@ -568,7 +568,7 @@ static void bad_measurements_are_refused(void) {
     ocel_track_t zero;
     memset(&zero, 0, sizeof(zero));
     for (int k = 0; k < 7; k++) {
-        ocel_measurement_t m = at(500000, 0, 0, 100);
+        ocel_estimate_t m = at(500000, 0, 0, 100);
         switch (k) {
         case 0:
             m.p_root_u[0] = 1073741825;
@@ -623,7 +623,7 @@ static void anything_leaves_the_state_sane(void) {
         int64_t time = (int64_t)rng_u64(&rng);
         for (int frame = 0; frame < 60; frame++) {
             ocel_track_t track;
-            ocel_measurement_t m;
+            ocel_estimate_t m;
             const bool seen = rng_below(&rng, 4U) != 0U;
             const int64_t step = (int64_t)rng_log_uniform(&rng, 0.5, 1e6);
             for (int i = 0; i < 3; i++) {

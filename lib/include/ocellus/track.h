@@ -8,18 +8,13 @@
 #include <stdint.h>
 
 #include <ocellus/space.h>
+#include <ocellus/stereo.h>
 
 typedef enum {
     OCEL_TRACK_LOST = 0, /* never seen, or hidden for longer than the coasting time */
     OCEL_TRACK_GUESSED,  /* predicted from earlier frames */
     OCEL_TRACK_SEEN      /* a measurement of this frame was taken */
 } ocel_track_state_t;
-
-/* A position and its covariance. */
-typedef struct {
-    int32_t p_root_u[3];                  /* within +-2^30 */
-    int64_t cov_root_u2[OCEL_SYM3_COUNT]; /* within +-2^52, the diagonal from 0 */
-} ocel_measurement_t;
 
 typedef struct {
     uint32_t coast_us;     /* how long a hidden ball is guessed, 1 .. 4000000 */

@@ -16,6 +16,7 @@
 #include <ocellus/camera.h>
 #include <ocellus/space.h>
 #include <ocellus/status.h>
+#include <ocellus/stereo.h>
 #include <ocellus/track.h>
 #include <ocellus/types.h>
 
@@ -28,8 +29,8 @@ extern "C" {
 typedef struct {
     ocel_tracker_config_t config;
     ocel_filter_t filter;
-    ocel_measurement_t refused; /* the last frame's, when has_refused */
-    int64_t time_us;            /* of the last frame */
+    ocel_estimate_t refused; /* the last frame's, when has_refused */
+    int64_t time_us;         /* of the last frame */
     int64_t seen_us;
     ocel_track_state_t state;
     bool has_refused;
@@ -47,7 +48,8 @@ ocel_status_t ocel_tracker_init(ocel_tracker_t *tracker, const ocel_tracker_conf
  * measurement of it was taken.  What the track tells beside another status is a
  * guess, and its state says so.
  *   time_us      any, not less than the last frame's; equal times are one moment.
- *   measurement  null: the ball was not seen.
+ *   measurement  null: the ball was not seen.  Else ocel_ball_t.best of ocel_stereo_ball,
+ *                say: within +-2^30 u, covariances within +-2^52 u^2, variances from 0.
  *   track        out; when LOST all but seen_us is zero.  All zero for the last three
  *                statuses, which leave the tracker as it was.
  * OCEL_OK             taken: it passed the gate, or started a track, or agrees with
@@ -58,7 +60,7 @@ ocel_status_t ocel_tracker_init(ocel_tracker_t *tracker, const ocel_tracker_conf
  * OCEL_BAD_ORDER      the time is before the last frame's, or not initialised
  * OCEL_NULL_ARGUMENT  tracker or track is null */
 ocel_status_t ocel_tracker_update(ocel_tracker_t *tracker, int64_t time_us,
-                                  const ocel_measurement_t *measurement, ocel_track_t *track);
+                                  const ocel_estimate_t *measurement, ocel_track_t *track);
 
 /* Where in an image to look for a tracked ball: what encloses the ball at every
  * place within OCEL_ROI_SIGMAS standard deviations, cut by the image.  Where that
