@@ -115,7 +115,7 @@ static void slopes_of_a_pinhole(void) {
         worst = fmaxl(worst, fabsl(xy_q28[0] - x * Q28));
         worst = fmaxl(worst, fabsl(xy_q28[1] - y * Q28));
     }
-    printf("slopes: worst %.4Lf LSB of Q28 (stated 0.51); %d of %d over 80 degrees\n", worst,
+    printf("slopes: worst %.4f LSB of Q28 (stated 0.51); %d of %d over 80 degrees\n", (double)worst,
            refused, TRIALS);
     TEST_ASSERT_TRUE(worst < 0.51L);
     TEST_ASSERT_TRUE((refused > TRIALS / 20) && (refused < TRIALS));
@@ -143,7 +143,7 @@ static void rays_of_a_pinhole(void) {
             worst = fmaxl(worst, fabsl(ray[k] - d[k] / length * Q30));
         }
     }
-    printf("rays: worst %.3Lf LSB of Q30\n", worst);
+    printf("rays: worst %.3f LSB of Q30\n", (double)worst);
     TEST_ASSERT_TRUE(worst < 3.0L); /* half an LSB of a slope is 2 of Q30 */
 }
 
@@ -215,7 +215,7 @@ static void lenses_are_undone(void) {
             worst = fmaxl(worst, fabsl(pixel[0] - x / 65536.0L));
             worst = fmaxl(worst, fabsl(pixel[1] - y / 65536.0L));
         }
-        printf("%-18s worst %.2Le px\n", LENSES[n].name, worst);
+        printf("%-18s worst %.2e px\n", LENSES[n].name, (double)worst);
         TEST_ASSERT_TRUE(worst < 1e-5L);
     }
 }
@@ -251,7 +251,8 @@ static void project_and_ray_are_inverse(void) {
             worst_back = fmaxl(worst_back, fabsl(ray[2] / Q30 - 1.0L / length) * LENSES[0].f);
         }
     }
-    printf("project: worst %.2Le px; there and back, by 300 px: %.2Le\n", worst_px, worst_back);
+    printf("project: worst %.2e px; there and back, by 300 px: %.2e\n", (double)worst_px,
+           (double)worst_back);
     TEST_ASSERT_TRUE(worst_px < 2e-5L);
     TEST_ASSERT_TRUE(worst_back < 1e-4L);
 }

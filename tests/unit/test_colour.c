@@ -348,14 +348,15 @@ static int check_random(rng_t *rng, ocel_format_t format, ocel_space_t space) {
 }
 
 static void rows_of(ocel_format_t format) {
-    const int trials = (format == OCEL_FORMAT_RGB565) ? TEST_TRIALS(40) : TEST_TRIALS(1500);
+    const int trials =
+        (format == OCEL_FORMAT_RGB565) ? TEST_TRIALS(40) : TEST_TRIALS_AT_LEAST(30, 1500);
     for (int space = 0; space < SPACES; space++) {
         rng_t rng = rng_seed(SEED + 10U * (unsigned)format + (unsigned)space);
         int hits = 0;
         for (int trial = 0; trial < trials; trial++) {
             hits += check_random(&rng, format, (ocel_space_t)space);
         }
-        TEST_ASSERT_GREATER_THAN_INT(trials, hits); /* the trials are not all empty rows */
+        TEST_ASSERT_GREATER_THAN_INT(trials / 2, hits); /* the trials are not all empty rows */
     }
 }
 
@@ -403,7 +404,7 @@ static void test_every_width(void) {
 
 static void test_table_holds_all_65536_colours(void) {
     rng_t rng = rng_seed(SEED);
-    for (int trial = 0; trial < TEST_TRIALS(40); trial++) {
+    for (int trial = 0; trial < TEST_TRIALS_AT_LEAST(4, 40); trial++) {
         const case_t c = {random_range(&rng, (ocel_space_t)(trial % SPACES)), OCEL_FORMAT_RGB565,
                           1};
         ocel_colour_t colour;

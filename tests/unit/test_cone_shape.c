@@ -171,7 +171,7 @@ static void outlines_of_any_view(void) {
             worst = fmaxl(worst, fabsl(off_ellipse(&e, spot)) / scale);
         }
     }
-    printf("outlines: %d of %d, rays worst %.2Le px off\n", seen, TRIALS, worst);
+    printf("outlines: %d of %d, rays worst %.2e px off\n", seen, TRIALS, (double)worst);
     TEST_ASSERT_TRUE(seen > TRIALS * 9 / 10);
     TEST_ASSERT_TRUE(worst < 3e-5L);
 }

@@ -6,12 +6,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "board.h"
 #include "pose.h"
 #include "rng.h"
 #include "rotations.h"
 #include "unity.h"
 
-enum { SEED = 20110612, TRIALS = 20000 };
+enum { SEED = 20110612, TRIALS = TEST_TRIALS(20000) };
 
 static rng_t rng;
 
