@@ -11,6 +11,7 @@
 
 #include <ocellus/ocellus.h>
 
+#include "board.h"
 #include "rng.h"
 #include "unity.h"
 
@@ -125,7 +126,7 @@ static ocel_gaze_t gaze_of(const robot_t *robot) {
 /* ---- Errors ---- */
 
 static void errors_are_angles(void) {
-    for (int k = 0; k < 20000; k++) {
+    for (int k = 0; k < TEST_TRIALS(20000); k++) {
         const int32_t d[3] = {(int32_t)rng_u32(&rng), (int32_t)rng_u32(&rng),
                               (int32_t)rng_u32(&rng)};
         ocel_gaze_error_t error;
@@ -370,7 +371,7 @@ static answer_t settle(plant_t *plant, const double target[3], int64_t frame_us,
 
 static answer_t worst_answer(const robot_t *robot, bool late) {
     answer_t worst = {0.0, 0.0, 0.0};
-    for (int trial = 0; trial < 300; trial++) {
+    for (int trial = 0; trial < TEST_TRIALS(300); trial++) {
         plant_t plant = {robot, {0}};
         double target[3];
         plant.q[OCEL_NECK_PITCH] = rng_uniform(&rng, -15.0, 10.0) * DEGREE;
@@ -674,7 +675,7 @@ static void check_truthful(const robot_t *robot) {
 }
 
 static void limits_hold_whatever_comes_in(void) {
-    for (int run = 0; run < 4000; run++) {
+    for (int run = 0; run < TEST_TRIALS(4000); run++) {
         check_truthful(&ROBOTS[run % MODELS]);
     }
 }
@@ -682,7 +683,7 @@ static void limits_hold_whatever_comes_in(void) {
 /* Encoders that tell anything: still no command leads from there beyond a limit while
  * it stands, and none leads further out. */
 static void limits_hold_for_lying_encoders(void) {
-    for (int run = 0; run < 600; run++) {
+    for (int run = 0; run < TEST_TRIALS(600); run++) {
         const robot_t *const robot = &ROBOTS[run % MODELS];
         const ocel_gaze_config_t config = any_config(robot);
         const double seconds = config.command_us * 1e-6;

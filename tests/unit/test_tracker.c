@@ -11,6 +11,7 @@
 
 #include <ocellus/ocellus.h>
 
+#include "board.h"
 #include "rng.h"
 #include "unity.h"
 
@@ -77,8 +78,7 @@ static void sandwich(double p[6][6], double a[6][6]) {
     }
 }
 
-static void ref_start(ref_t *ref, const ocel_tracker_config_t *config,
-                      const ocel_estimate_t *m) {
+static void ref_start(ref_t *ref, const ocel_tracker_config_t *config, const ocel_estimate_t *m) {
     const double speed = config->max_speed_u_s * 65536.0 / config->gate_q16;
     memset(ref, 0, sizeof(*ref));
     for (int i = 0; i < 3; i++) {
@@ -171,7 +171,7 @@ static ocel_estimate_t slanting(const double truth[3]) {
 }
 
 static void agrees_with_double_precision(void) {
-    for (int run = 0; run < 50; run++) {
+    for (int run = 0; run < TEST_TRIALS(50); run++) {
         ocel_tracker_config_t config = usual();
         double truth[3] = {500e3, 100e3, -200e3};
         double v[3];
@@ -609,7 +609,7 @@ static int64_t any_cov(void) {
 
 /* Whatever comes in, what comes out is within its ranges and OK means a measurement. */
 static void anything_leaves_the_state_sane(void) {
-    for (int run = 0; run < 400; run++) {
+    for (int run = 0; run < TEST_TRIALS(400); run++) {
         ocel_tracker_config_t config = {
             (uint32_t)rng_log_uniform(&rng, 1.0, 4e6), 1, 0, 65536U, 0, {0}};
         config.max_speed_u_s = (int32_t)rng_log_uniform(&rng, 1.0, 16777216.0);
@@ -679,7 +679,7 @@ static ocel_track_t track_at(int32_t x, int32_t y, int32_t z, int32_t sigma) {
 static void the_region_holds_the_ball(void) {
     const ocel_camera_t camera = camera_of(320, 240);
     int compared = 0;
-    for (int run = 0; run < 3000; run++) {
+    for (int run = 0; run < TEST_TRIALS_AT_LEAST(40, 3000); run++) {
         const double angle = rng_uniform(&rng, -3.1, 3.1);
         const ocel_pose_t pose = pose_of(angle, any32(1000000), any32(1000000), any32(1000000));
         const double p[3] = {rng_uniform(&rng, -3e5, 3e5), rng_uniform(&rng, -2e5, 2e5),
@@ -729,7 +729,7 @@ static void the_region_holds_the_ball(void) {
         TEST_ASSERT_TRUE(roi.width <= slack);
         TEST_ASSERT_TRUE(roi.height <= zoom * size * (1.0 + fabs(p[1]) / p[2]) * 2.0 + 3.0);
     }
-    TEST_ASSERT_TRUE(compared > 1000);
+    TEST_ASSERT_TRUE(compared >= TEST_TRIALS(1000));
 }
 
 static void what_is_not_in_view_has_no_region(void) {
