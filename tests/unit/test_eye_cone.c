@@ -96,7 +96,7 @@ static double error_at(double x, double y, double z) {
 
 static void a_ball_is_placed(void) {
     double worst = 0.0;
-    for (int i = 0; i < TEST_TRIALS(60); i++) {
+    for (int i = 0; i < TEST_TRIALS_AT_LEAST(4, 60); i++) {
         const double z = rng_uniform(&rng, 2e5, 5e5);
         const double x = z * rng_uniform(&rng, -0.3, 0.3);
         const double y = z * rng_uniform(&rng, -0.2, 0.2);
@@ -115,7 +115,7 @@ static void a_ball_is_placed(void) {
 /* Half of it behind a straight edge: what is vouched for is right. */
 static void a_half_hidden_ball_is_placed(void) {
     int vouched = 0;
-    const int trials = TEST_TRIALS(40);
+    const int trials = TEST_TRIALS_AT_LEAST(4, 40);
     for (int i = 0; i < trials; i++) {
         const double z = rng_uniform(&rng, 2e5, 4e5);
         const double x = z * rng_uniform(&rng, -0.3, 0.3);
@@ -138,7 +138,7 @@ static void a_half_hidden_ball_is_placed(void) {
 /* Cut by the image's edge: vouched for, or clipped; never partial. */
 static void a_cut_ball_is_ok_or_clipped(void) {
     int clipped = 0;
-    const int trials = TEST_TRIALS(60);
+    const int trials = TEST_TRIALS_AT_LEAST(4, 60);
     for (int i = 0; i < trials; i++) {
         const double z = 2.5e5;
         const double edge = -160.0 / FOCAL_PX;

@@ -487,15 +487,18 @@ static void test_boundary_of_thin_ellipses(void) {
         const double angle = rng_uniform(&rng, 0.0, FIT_PI);
         const double cx = 160.0 + rng_unit(&rng);
         const double cy = 160.0 + rng_unit(&rng);
+        const double c = cos(angle);
+        const double s = sin(angle);
+        const int reach = (int)a + 2;
         size_t count = 0;
-        for (int y = 0; y < 320; y++) {
-            for (int x = 0; x < 320; x++) {
+        for (int y = 160 - reach; y <= 161 + reach; y++) {
+            for (int x = 160 - reach; x <= 161 + reach; x++) {
                 bool in[3];
                 for (int k = 0; k < 3; k++) {
                     const double dx = x + (k == 1 ? 1 : 0) - cx;
                     const double dy = y + (k == 2 ? 1 : 0) - cy;
-                    const double u = (dx * cos(angle) + dy * sin(angle)) / a;
-                    const double v = (dy * cos(angle) - dx * sin(angle)) / b;
+                    const double u = (dx * c + dy * s) / a;
+                    const double v = (dy * c - dx * s) / b;
                     in[k] = u * u + v * v <= 1.0;
                 }
                 for (int k = 1; k < 3; k++) {
