@@ -28,7 +28,7 @@ bool ocel_pose_point(const ocel_pose_t *X_A_B, const int32_t p_B_u[3], int32_t p
         const int64_t p_u = ocel_shift_round64(p_q30, 30U);
 
         inside = inside && (ocel_abs64(p_u) <= (uint64_t)OCEL_MAX_POSITION_U);
-        p_A_u[i] = inside ? (int32_t)p_u : 0;
+        p_A_u[i] = (int32_t)p_u;
     }
     if (!inside) {
         (void)memset(p_A_u, 0, 3U * sizeof(p_A_u[0]));

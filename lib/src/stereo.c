@@ -116,10 +116,8 @@ static ocel_status_t cross_rays(const line_t *left, const line_t *right, crossin
             if (reach_q30 < ocel_scale_q60(1, 59 - c->e)) {
                 c->t_q30[i] = ocel_scale_q60(reach_q30, c->e - 1);
                 status = (c->t_q30[i] < ONE_Q30) ? OCEL_DEGENERATE : status;
-            } else if (status == OCEL_OK) {
-                status = OCEL_OUT_OF_RANGE;
             } else {
-                /* behind the left eye */
+                status = OCEL_OUT_OF_RANGE;
             }
         }
     }
@@ -398,13 +396,15 @@ static void lever(const line_t *own, const line_t *other, int64_t sign, const cr
  * to below 2^28 first, the farther one to 2^27 or more, so that small units lose nothing:
  * t = tau 2^(6 - lead).  Relative covariances of at most 3 * 2^58 then become at most
  * 2^55.6, and the sum of the sandwiches is below 2 * (1.51 sqrt(3))^2 * 2^55.6 < 2^59.4.
- * With 1 / sine^2 = y^2 2^(2 e - 2) the trace is at most 2^50, a 16th of tau^2 or less:
- * otherwise the rays say nothing of the range (false). */
+ * With 1 / sine^2 = y^2 2^(2 e - 2) no element is to exceed 2^50, a 16th of tau^2 or less,
+ * so 2^52 u^2: otherwise the rays say nothing of the range (false). */
 static bool spread_of_midpoint(const sight_t sights[OCEL_EYE_COUNT], const crossing_t *c,
                                int64_t cov_root_u2[OCEL_SYM3_COUNT]) {
     const int32_t lead = (int32_t)ocel_clz64((uint64_t)(c->t_q30[0] | c->t_q30[1]));
     const int64_t factor_q60 = ocel_mul_q60(c->y_q60, c->y_q60);
     int64_t sum[OCEL_SYM3_COUNT] = {0, 0, 0, 0, 0, 0};
+    uint64_t size = 0U;
+    bool known;
 
     for (uint32_t i = 0U; i < 2U; i++) { /* bound: two eyes */
         const int64_t tau = ocel_scale_q60(c->t_q30[i], lead - 36);
@@ -414,9 +414,14 @@ static bool spread_of_midpoint(const sight_t sights[OCEL_EYE_COUNT], const cross
         lever(&sights[i].line, &sights[1U - i].line, (2 * (int64_t)i) - 1, c, &m);
         add_sandwich(&m, cov_root_u2, sum);
     }
-    scale_up(sum, factor_q60, (2 * (c->e - lead)) + 10, cov_root_u2);
-    return (uint64_t)ocel_mul_q60(trace(sum), factor_q60) <=
-           (uint64_t)ocel_scale_q60(1, 52 - (2 * c->e));
+    for (uint32_t k = 0U; k < (uint32_t)OCEL_SYM3_COUNT; k++) { /* bound: 6 elements */
+        size |= ocel_abs64(sum[k]);
+    }
+    known = ocel_mul_q60((int64_t)size, factor_q60) <= ocel_scale_q60(1, 52 - (2 * c->e));
+    if (known) {
+        scale_up(sum, factor_q60, (2 * (c->e - lead)) + 10, cov_root_u2);
+    }
+    return known;
 }
 
 /* Adds an eye's range by the radius to an estimate by directions: one Kalman step with a
@@ -424,13 +429,17 @@ static bool spread_of_midpoint(const sight_t sights[OCEL_EYE_COUNT], const cross
  * the whole outline is seen).  False, and the estimate as it was, when the two disagree.
  *
  * With g = C d / s and s = d C d + variance: p += g (range - d (p - eye)), C -= g (C d)^T.
- * C is at most 2^54; s and its trace are brought to [2^59, 2^60) together; g is at most
- * sqrt(trace / s): below 2^4.5 for e <= 8, 2^60.5 in Q56.  (For a larger e the directions
- * know the range far better than this; nothing is added.)  The disagreement is bounded by
- * OCEL_DISAGREE_SIGMAS, so a step is below 5 * 2^26 + 2^4.5 * 2^28 / 32 < 2^29. */
+ * Elements of C are at most 2^52.  No component of C d exceeds the trace of a covariance (one
+ * that does is refused); s and the trace are brought to below 2^60 together, one of them to
+ * 2^59 or more, so for e <= 4 g is at most trace / s <= 2^5, 2^61 in Q56.  (For a larger e the
+ * directions know the range far better than this, and nothing is added.)  The disagreement is
+ * bounded by OCEL_DISAGREE_SIGMAS, so a step is below 5 * 2^26.5 + 2^5 * 2^28 / 32 < 2^30;
+ * the position's sum wraps for what is no covariance. */
 static bool add_range(const sight_t *sight, ocel_estimate_t *estimate) {
     const int64_t *d_q60 = sight->line.d_q60;
     int64_t *cov = estimate->cov_root_u2;
+    const uint64_t size = (uint64_t)trace(cov);
+    uint64_t limit_u;
     int64_t away_q30[3];
     int64_t cd[3];
     int64_t off_u;
@@ -438,25 +447,28 @@ static bool add_range(const sight_t *sight, ocel_estimate_t *estimate) {
     int64_t y_q60;
     int32_t up;
     int32_t e;
-    bool agree;
+    bool agree = true;
 
     times(cov, d_q60, cd);
     s = dot(cd, d_q60) + sight->variance_u2;
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
         away_q30[i] = wide(estimate->p_root_u[i]) - sight->line.p_q30[i];
+        agree = agree && (ocel_abs64(cd[i]) <= size);
     }
     off_u = (int64_t)sight->range_u - ocel_shift_round64(dot(away_q30, d_q60), 30U);
-    agree = ocel_abs64(off_u) <= (((uint64_t)OCEL_DISAGREE_SIGMAS * ocel_isqrt64((uint64_t)s)) +
-                                  (sight->range_u >> OCEL_DISAGREE_SHIFT));
-    up = (int32_t)ocel_clz64((uint64_t)s | (uint64_t)trace(cov)) - 4;
+    limit_u = ((uint64_t)OCEL_DISAGREE_SIGMAS * ocel_isqrt64((uint64_t)s)) +
+              (sight->range_u >> OCEL_DISAGREE_SHIFT);
+    agree = agree && (ocel_abs64(off_u) <= limit_u);
+    up = (int32_t)ocel_clz64((uint64_t)s | size) - 4;
     ocel_recip_q60((uint64_t)ocel_scale_q60(s, up), &y_q60, &e);
-    if (agree && (e <= 8)) {
+    if (agree && (e <= 4)) {
         for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
             const int64_t g_q56 =
                 ocel_scale_q60(ocel_mul_q60(ocel_scale_q60(cd[i], up), y_q60), e - 4);
             const int64_t step_q21 = ocel_mul_q60(g_q56, ocel_shl64(off_u, 25U));
 
-            estimate->p_root_u[i] += (int32_t)ocel_shift_round64(step_q21, 21U);
+            estimate->p_root_u[i] = (int32_t)((uint32_t)estimate->p_root_u[i] +
+                                              (uint32_t)ocel_shift_round64(step_q21, 21U));
             for (uint32_t j = i; j < 3U; j++) { /* bound: 3 axes */
                 cov[AT[i][j]] -= ocel_mul_q60(g_q56, ocel_shl64(cd[j], 4U));
             }

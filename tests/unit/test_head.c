@@ -7,11 +7,12 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "board.h"
 #include "head_reference.h"
 #include "rng.h"
 #include "unity.h"
 
-enum { SEED = 20110614, TRIALS = 3000 };
+enum { SEED = 20110614, TRIALS = TEST_TRIALS(3000) };
 
 #define ONE_Q30 1073741824.0
 
@@ -216,7 +217,7 @@ static void any_pose_is_the_reference_s(void) {
 static void right_and_left_mirror(void) {
     static const int MIRRORED[3] = {OCEL_NECK_ROLL, OCEL_NECK_YAW, OCEL_EYES_VERSION};
     for (int head = 0; head < REF_HEADS; head++) {
-        for (int trial = 0; trial < 100; trial++) {
+        for (int trial = 0; trial < TEST_TRIALS(100); trial++) {
             double deg[OCEL_JOINT_COUNT];
             int32_t joints[OCEL_JOINT_COUNT];
             ocel_pose_t eyes[OCEL_EYE_COUNT];
@@ -351,6 +352,25 @@ static void links_without_a_joint_stay(void) {
     TEST_ASSERT_EQUAL_MEMORY(still, moved, sizeof(still));
 }
 
+/* The base's pose is the whole head's: another root moves and turns all of it. */
+static void the_base_carries_the_head(void) {
+    const int32_t joints[OCEL_JOINT_COUNT] = {0};
+    ocel_pose_t eyes[OCEL_EYE_COUNT];
+    ocel_head_model_t model = ocel_head_paper;
+    memset(&model.X_root_base, 0, sizeof(model.X_root_base));
+    model.X_root_base.r_q30[0][1] = -(1 << 30); /* a quarter turn left */
+    model.X_root_base.r_q30[1][0] = 1 << 30;
+    model.X_root_base.r_q30[2][2] = 1 << 30;
+    model.X_root_base.p_u[0] = 1000;
+    model.X_root_base.p_u[1] = -2000;
+    model.X_root_base.p_u[2] = 30;
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_head_forward(&model, joints, eyes));
+    TEST_ASSERT_EQUAL_INT32(1000 - 175000, eyes[OCEL_LEFT].p_u[0]);
+    TEST_ASSERT_EQUAL_INT32(360000 - 2000, eyes[OCEL_LEFT].p_u[1]);
+    TEST_ASSERT_EQUAL_INT32(3500030, eyes[OCEL_LEFT].p_u[2]);
+    TEST_ASSERT_EQUAL_INT32(1 << 30, eyes[OCEL_LEFT].r_q30[1][GAZE]);
+}
+
 static void places_too_far_are_refused(void) {
     const int32_t joints[OCEL_JOINT_COUNT] = {0};
     const int32_t far[3] = {0, 0, 1 << 30};
@@ -398,6 +418,7 @@ int main(void) {
     RUN_TEST(eyes_have_a_limit_together);
     RUN_TEST(mistakes_have_a_status);
     RUN_TEST(links_without_a_joint_stay);
+    RUN_TEST(the_base_carries_the_head);
     RUN_TEST(places_too_far_are_refused);
     RUN_TEST(icub_axes_become_the_head_s);
     return UNITY_END();

@@ -189,8 +189,9 @@ static void midpoint_of_skew_rays(void) {
             TEST_ASSERT_DOUBLE_WITHIN(0.6, gap, m.gap_u);
             TEST_ASSERT_TRUE(distance(p, m.p_u) < 0.9);
             checked++;
-        } else if ((t[0] < 0.0) || (t[1] < 0.0)) {
-            TEST_ASSERT_EQUAL(OCEL_DEGENERATE, status);
+        } else if ((t[0] < 0.0) || (t[1] < 0.0)) { /* and perhaps too far too */
+            TEST_ASSERT_EQUAL((fmax(t[0], t[1]) < 2e8) ? OCEL_DEGENERATE : status, status);
+            TEST_ASSERT_TRUE(status != OCEL_OK);
         } else {
             /* within 2 u of an eye */
         }
@@ -260,6 +261,8 @@ static void rays_that_are_none(void) {
     check_midpoint(OCEL_OUT_OF_RANGE, good, bad);
     check_midpoint(OCEL_OK, middle, ray(OCEL_MAX_STEREO_U, 0, 0, -1, 0, 1));
     check_midpoint(OCEL_OUT_OF_RANGE, middle, ray(OCEL_MAX_STEREO_U + 1, 0, 0, -1, 0, 1));
+    check_midpoint(OCEL_OUT_OF_RANGE, ray(-OCEL_MAX_STEREO_U / 2, 0, 0, 0, 0, 1),
+                   ray(-OCEL_MAX_STEREO_U - 1, 0, 0, 1, 0, 1));
     check_midpoint(OCEL_OUT_OF_RANGE, good, ray(INT32_MIN, 0, 0, 2, 0, 1));
     /* 268 m away, and a little less */
     check_midpoint(OCEL_OUT_OF_RANGE, good, ray(270000, 0, 0, -0.001, 0, 1));
@@ -414,15 +417,22 @@ static void check_encoders(ocel_status_t expected, int variant, int32_t baseline
 
 static void encoders_without_an_answer(void) {
     const int32_t residual[2] = {INT32_MIN, INT32_MAX};
+    const int32_t one[2][2] = {{1 << 30, 0}, {0, 1 << 30}};
     int32_t p[3] = {1, 1, 1};
     for (int k = 0; k < 3; k++) {
+        for (int eye = 0; eye < 2; eye++) {
+            TEST_ASSERT_EQUAL(OCEL_OUT_OF_RANGE,
+                              ocel_stereo_encoders((ocel_encoders_t)k, 68000, 0,
+                                                   ref_angle_q32(80.0), one[eye], p));
+        }
         check_encoders(OCEL_OK, k, 68000, 10, 4, 1);
         check_encoders(OCEL_DEGENERATE, k, 68000, 10, 0, 0);
         check_encoders(OCEL_DEGENERATE, k, 68000, 10, -4, 0);
         check_encoders(OCEL_DEGENERATE, k, 68000, 10, .01, 0);
         check_encoders(OCEL_OUT_OF_RANGE, k, 0, 10, 4, 0);
         check_encoders(OCEL_OUT_OF_RANGE, k, -1, 10, 4, 0);
-        check_encoders(OCEL_OUT_OF_RANGE, k, OCEL_MAX_STEREO_U + 1, 10, 4, 0);
+        check_encoders(OCEL_OK, k, OCEL_MAX_STEREO_U, 10, 80, 0);
+        check_encoders(OCEL_OUT_OF_RANGE, k, OCEL_MAX_STEREO_U + 1, 10, 80, 0);
         check_encoders(OCEL_OUT_OF_RANGE, k, OCEL_MAX_STEREO_U, 10, 4, 0); /* 2^31.8 u away */
         check_encoders(OCEL_OUT_OF_RANGE, k, 68000, 91, 4, 0);
         check_encoders(OCEL_OUT_OF_RANGE, k, 68000, 10, 91, 0);
@@ -582,42 +592,62 @@ static void covariances_are_those_of_the_errors(void) {
     TEST_ASSERT_TRUE((squares[2] < squares[0]) && (squares[2] < squares[1]));
 }
 
-/* What the directions' errors do to the midpoint, by moving each a little in double. */
+/* Rank one: sigma along v, which is in the root's frame, the cone's in its camera's. */
+static void add_uncertainty(ocel_cone_t *cone, double r[3][3], const double v[3], double sigma) {
+    double v_cam[3];
+    for (int i = 0; i < 3; i++) {
+        v_cam[i] = (r[0][i] * v[0]) + (r[1][i] * v[1]) + (r[2][i] * v[2]);
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            cone->cov_q60[(i == 0) ? j : (i + j + 1)] +=
+                llround(ONE_Q60 * sigma * sigma * v_cam[i] * v_cam[j]);
+        }
+    }
+}
+
+/* What the directions' errors, not the same every way, do to the midpoint: by moving each
+ * a little in double. */
 static void stereo_covariance_is_propagated(void) {
     for (int trial = 0; trial < TEST_TRIALS(500); trial++) {
         scene_t scene = any_scene(2e5, 3e6);
-        const sigma_t sigma = {rng_log_uniform(&rng, 1e-5, 3e-4), 1e-3};
-        const ocel_cone_t left = cone_of(&scene, 0, RADIUS_U, sigma, 0.0);
-        const ocel_cone_t right = cone_of(&scene, 1, RADIUS_U, sigma, 0.0);
+        ocel_cone_t cones[2];
         double expected[3][3] = {{0.0}};
-        double size = 0.0;
         ocel_ball_t ball;
         for (int k = 0; k < 2; k++) {
-            double r[3][3];
-            rotation_about(&rng, scene.lines[k].d, r);
+            double axes[3][3];
+            cones[k] = cone_of(&scene, k, RADIUS_U, USUAL, 0.0);
+            memset(cones[k].cov_q60, 0, sizeof(cones[k].cov_q60));
+            add_uncertainty(&cones[k], scene.r[k], scene.lines[k].d, 1e-3);
+            rotation_about(&rng, scene.lines[k].d, axes);
             for (int across = 0; across < 2; across++) { /* the two ways to move a direction */
+                const double sigma = rng_log_uniform(&rng, 1e-5, 3e-4);
+                const double v[3] = {axes[0][across], axes[1][across], axes[2][across]};
                 double ends[2][3];
                 double t[2];
+                add_uncertainty(&cones[k], scene.r[k], v, sigma);
                 for (int sign = 0; sign < 2; sign++) {
                     line_t lines[2] = {scene.lines[0], scene.lines[1]};
                     for (int i = 0; i < 3; i++) {
-                        lines[k].d[i] += ((sign == 0) ? -1e-6 : 1e-6) * r[i][across];
+                        lines[k].d[i] += ((sign == 0) ? -1e-6 : 1e-6) * v[i];
                     }
                     (void)meet(&lines[0], &lines[1], ends[sign], t);
                 }
                 for (int i = 0; i < 3; i++) {
                     for (int j = 0; j < 3; j++) {
-                        expected[i][j] += sigma.axis * sigma.axis * (ends[1][i] - ends[0][i]) *
+                        expected[i][j] += sigma * sigma * (ends[1][i] - ends[0][i]) *
                                           (ends[1][j] - ends[0][j]) / 4e-12;
                     }
                 }
             }
         }
-        size = expected[0][0] + expected[1][1] + expected[2][2];
-        TEST_ASSERT_EQUAL(OCEL_OK, ocel_stereo_ball(&left, &right, scene.eyes, 0, &ball));
+        const double size = expected[0][0] + expected[1][1] + expected[2][2];
+        TEST_ASSERT_EQUAL(OCEL_OK, ocel_stereo_ball(&cones[0], &cones[1], scene.eyes, 0, &ball));
         for (int i = 0; i < 3; i++) {
             for (int j = 0; j < 3; j++) {
-                TEST_ASSERT_DOUBLE_WITHIN(3.0 + (1e-4 * size), expected[i][j],
+                const double slack =
+                    3.0 + (1e-6 * size) + (1e-4 * sqrt(expected[i][i] * expected[j][j]));
+                TEST_ASSERT_DOUBLE_WITHIN(slack, expected[i][j],
                                           element(ball.stereo.cov_root_u2, i, j));
             }
         }
@@ -706,13 +736,17 @@ static void by_radius_is_the_surer_eye_s(void) {
         const ocel_cone_t cones[2] = {
             cone_of(&scene, 0, RADIUS_U, (sure == 0) ? SURE : UNSURE, 0.0),
             cone_of(&scene, 1, RADIUS_U, (sure == 1) ? SURE : UNSURE, 0.0)};
-        const double *d = scene.lines[sure].d;
-        const double variance = pow(scene.range[sure] * SURE.sine, 2.0);
+        const double range = RADIUS_U / (cones[sure].sin_q30 / ONE_Q30);
         ocel_ball_t ball;
         TEST_ASSERT_EQUAL(
             OCEL_OK, ocel_stereo_ball(&cones[0], &cones[1], scene.eyes, (int32_t)RADIUS_U, &ball));
-        TEST_ASSERT_DOUBLE_WITHIN(4.0 + (1e-4 * variance), variance,
-                                  quadratic(ball.by_radius.cov_root_u2, d, d));
+        for (int i = 0; i < 3; i++) {
+            const double *row = scene.r[sure][i];
+            const double variance = quadratic(cones[sure].cov_q60, row, row) / ONE_Q60;
+            const double least = range * range * variance * (1.0 - 1e-5); /* the range is whole */
+            const double off = element(ball.by_radius.cov_root_u2, i, i) - least;
+            TEST_ASSERT_TRUE((off > 0.0) && (off < 1.01 + (2e-5 * least)));
+        }
     }
 }
 
@@ -819,6 +853,62 @@ static void unsure_directions_leave_the_radius(void) {
     TEST_ASSERT_EQUAL(OCEL_DEGENERATE, ocel_stereo_ball(&left, &right, scene.eyes, 0, &ball));
 }
 
+/* The eyes look along one of the root's axes at a ball 1 m away: all that they do not
+ * know stands in one element of the covariance. */
+static scene_t aligned_scene(int axis) {
+    scene_t scene = any_scene(1e6, 1.1e6);
+    for (int k = 0; k < 2; k++) {
+        double ahead[3] = {0, 0, 0};
+        ahead[axis] = 1.0;
+        rotation_about(&rng, ahead, scene.r[k]);
+        scene.eyes[k] = rotation_pose(scene.r[k]);
+        for (int i = 0; i < 3; i++) {
+            scene.ball[i] = (i == axis) ? 1e6 : 0.0;
+            scene.lines[k].p[i] = (i == (axis + 1) % 3) ? ((k == 0) ? -34000.0 : 34000.0) : 0.0;
+            scene.lines[k].d[i] = scene.ball[i] - scene.lines[k].p[i];
+            scene.eyes[k].p_u[i] = (int32_t)scene.lines[k].p[i];
+        }
+        scene.range[k] = unit(scene.lines[k].d);
+    }
+    return scene;
+}
+
+static void unsure_directions_along_any_axis(void) {
+    static const sigma_t POOR = {3e-2, 1e-3};
+    for (int axis = 0; axis < 3; axis++) {
+        const scene_t scene = aligned_scene(axis);
+        const ocel_cone_t left = cone_of(&scene, 0, RADIUS_U, POOR, 0.0);
+        const ocel_cone_t right = cone_of(&scene, 1, RADIUS_U, POOR, 0.0);
+        ocel_ball_t ball;
+        TEST_ASSERT_EQUAL(OCEL_OK,
+                          ocel_stereo_ball(&left, &right, scene.eyes, (int32_t)RADIUS_U, &ball));
+        TEST_ASSERT_TRUE(!ball.has_stereo);
+    }
+}
+
+/* What is no covariance vouches for nothing: here the variances of the midpoint cancel
+ * and what stands beside them does not. */
+static void no_covariance_is_refused(void) {
+    int refused = 0;
+    for (int trial = 0; trial < 50; trial++) {
+        const scene_t scene = aligned_scene(trial % 3);
+        ocel_cone_t cones[2];
+        ocel_ball_t ball;
+        for (int k = 0; k < 2; k++) {
+            cones[k] = cone_of(&scene, k, RADIUS_U, USUAL, 0.0);
+            for (int i = 0; i < OCEL_SYM3_COUNT; i++) {
+                cones[k].cov_q60[i] = rng_between(&rng, -1, 1) * ((int64_t)1 << 38);
+            }
+        }
+        refused += (ocel_stereo_ball(&cones[0], &cones[1], scene.eyes, (int32_t)RADIUS_U, &ball) ==
+                    OCEL_PARTIAL)
+                       ? 1
+                       : 0;
+    }
+    printf("no covariances: %d of 50 refused\n", refused);
+    TEST_ASSERT_TRUE(refused >= 1);
+}
+
 static void check_ball(ocel_status_t expected, const ocel_cone_t *left, const ocel_cone_t *right,
                        const ocel_pose_t *eyes, int32_t radius) {
     static const ocel_ball_t NONE;
@@ -859,6 +949,27 @@ static void balls_that_are_none(void) {
     TEST_ASSERT_EQUAL(OCEL_NULL_ARGUMENT, ocel_stereo_ball(&good, &right, eyes, 35000, NULL));
 }
 
+/* An eye at the edge of the stated positions that looks outwards, at a ball 2^30 u away:
+ * that is too far from the root. */
+static void balls_too_far_from_the_root(void) {
+    static const double AHEAD[3] = {0, 0, 1};
+    scene_t scene = any_scene(3e5, 1e6);
+    double right[3][3];
+    rotation_about(&rng, AHEAD, right);
+    for (int k = 0; k < 2; k++) {
+        memcpy(scene.r[k], right, sizeof(right));
+        memcpy(scene.lines[k].d, AHEAD, sizeof(AHEAD));
+        scene.eyes[k] = rotation_pose(right);
+        scene.range[k] = ldexp(1.0, 29);
+    }
+    scene.eyes[0].p_u[2] = OCEL_MAX_STEREO_U;
+    ocel_cone_t cone = cone_of(&scene, 0, RADIUS_U, USUAL, 0.0);
+    ocel_ball_t ball;
+    cone.sin_q30 = 1U << 20;
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_stereo_ball(&cone, NULL, scene.eyes, 1 << 19, &ball));
+    check_ball(OCEL_OUT_OF_RANGE, &cone, NULL, scene.eyes, (1 << 20) - (1 << 17));
+}
+
 /* Whatever stands in the cones: a status, no trap (the sanitizers watch), and nothing
  * but zeroes without an answer. */
 static void any_cone_gives_a_status(void) {
@@ -869,13 +980,17 @@ static void any_cone_gives_a_status(void) {
         ocel_cone_t cones[2] = {cone_of(&scene, 0, RADIUS_U, USUAL, 1.0),
                                 cone_of(&scene, 1, RADIUS_U, USUAL, 1.0)};
         ocel_ball_t ball;
+        int32_t radius = (int32_t)RADIUS_U;
         for (int k = 0; k < 2; k++) {
+            const uint32_t small = 5U + rng_below(&rng, 40U);
             for (int i = 0; i < OCEL_SYM3_COUNT; i++) { /* no covariance at all */
-                cones[k].cov_q60[i] = (int64_t)rng_u64(&rng) >> (5U + rng_below(&rng, 59U));
+                cones[k].cov_q60[i] = (int64_t)rng_u64(&rng) >> (small + rng_below(&rng, 16U));
             }
-            cones[k].sin_q30 = rng_u32(&rng) >> (2U + rng_below(&rng, 30U));
+            if (trial % 2 == 0) { /* and nothing in common */
+                cones[k].sin_q30 = rng_u32(&rng) >> (2U + rng_below(&rng, 30U));
+                radius = (int32_t)(rng_u32(&rng) >> (1U + rng_below(&rng, 31U)));
+            }
         }
-        const int32_t radius = (int32_t)(rng_u32(&rng) >> (1U + rng_below(&rng, 31U)));
         const ocel_status_t status =
             ocel_stereo_ball(&cones[0], &cones[1], scene.eyes, radius, &ball);
         if ((status == OCEL_OK) || (status == OCEL_PARTIAL)) {
@@ -912,7 +1027,10 @@ int main(void) {
     RUN_TEST(small_disagreements_are_none);
     RUN_TEST(rays_that_miss_are_a_fault);
     RUN_TEST(unsure_directions_leave_the_radius);
+    RUN_TEST(unsure_directions_along_any_axis);
+    RUN_TEST(no_covariance_is_refused);
     RUN_TEST(balls_that_are_none);
+    RUN_TEST(balls_too_far_from_the_root);
     RUN_TEST(any_cone_gives_a_status);
     return UNITY_END();
 }
