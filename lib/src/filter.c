@@ -10,7 +10,6 @@
 /* Limits of the state: 2^30 u in Q16, and a deviation of 2^26 u in Q6. */
 #define P_LIMIT_Q16 ((int64_t)1 << 46U)
 #define VARIANCE_LIMIT_Q6 ((int64_t)1 << 58U)
-#define COVARIANCE_LIMIT_Q6 OCEL_Q60_ONE
 
 /* Factors, of time and of gain, are Q47: a gain of velocity, up to 2^13 / s, then
  * fits 2^60. */
@@ -28,28 +27,15 @@ static int64_t square_q6(int32_t v) {
     return ((int64_t)v * v) << 6U;
 }
 
-/* A measurement's entry, Q6.  Positions are whole numbers, which nothing knows
- * better than to 1 u: so much is added to a variance, and none is 0. */
-static int64_t noise_q6(const ocel_estimate_t *measurement, uint32_t entry) {
-    const int64_t rounding = (row_of[entry] == column_of[entry]) ? 64 : 0;
-
-    return ocel_shl64(measurement->cov_root_u2[entry], 6U) + rounding;
-}
-
-/* *sum += a * b, clamped; |*sum|, |a| <= 2^60. */
-static void add(int64_t *sum, int64_t a, int64_t factor_q47) {
-    *sum = ocel_clamp64(*sum + ocel_times(a, factor_q47, -FACTOR_BITS), COVARIANCE_LIMIT_Q6);
-}
-
 /* The block of two axes when along each the state's `to` (0: position, 1: velocity)
  * gains its own multiple of `from`: first the rows, then the columns. */
 static void mix(int64_t block[BLOCK], uint32_t to, uint32_t from, int64_t row_q47,
                 int64_t column_q47) {
     for (uint32_t k = 0U; k < 2U; k++) { /* bound: position, velocity */
-        add(&block[(2U * to) + k], block[(2U * from) + k], row_q47);
+        ocel_add_product(&block[(2U * to) + k], block[(2U * from) + k], row_q47);
     }
     for (uint32_t k = 0U; k < 4U; k += 2U) { /* bound: position, velocity */
-        add(&block[k + to], block[k + from], column_q47);
+        ocel_add_product(&block[k + to], block[k + from], column_q47);
     }
 }
 
@@ -69,18 +55,28 @@ static void limit_state(ocel_filter_t *filter, int32_t max_speed_u_s) {
     }
 }
 
+/* Positions are whole numbers, which nothing knows better than to 1 u: so much is added
+ * to a variance, and none is 0. */
+void ocel_filter_fix(ocel_fix_t *fix, const ocel_estimate_t *measurement) {
+    for (uint32_t entry = 0U; entry < (uint32_t)OCEL_SYM3_COUNT; entry++) { /* bound: 6 */
+        fix->cov_q6[entry] = ocel_shl64(measurement->cov_root_u2[entry], 6U);
+    }
+    for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
+        fix->p_u_q16[i] = (int64_t)measurement->p_root_u[i] * 65536;
+        fix->cov_q6[diagonal[i]] += 64;
+    }
+}
+
 void ocel_filter_start(ocel_filter_t *filter, const ocel_tracker_config_t *config,
-                       const ocel_estimate_t *measurement) {
+                       const ocel_fix_t *fix) {
     const int32_t speed_u_s =
         (int32_t)ocel_udiv64((uint64_t)(uint32_t)config->max_speed_u_s << 16U, config->gate_q16);
 
     (void)memset(filter, 0, sizeof(*filter));
+    (void)memcpy(filter->p_u_q16, fix->p_u_q16, sizeof(filter->p_u_q16));
     for (uint32_t entry = 0U; entry < (uint32_t)OCEL_SYM3_COUNT; entry++) { /* bound: 6 */
-        filter->cov_q6[entry][PP] = noise_q6(measurement, entry);
-    }
-    for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-        filter->p_u_q16[i] = (int64_t)measurement->p_root_u[i] * 65536;
-        filter->cov_q6[diagonal[i]][VV] = square_q6(speed_u_s);
+        filter->cov_q6[entry][PP] = fix->cov_q6[entry];
+        filter->cov_q6[entry][VV] = (row_of[entry] == column_of[entry]) ? square_q6(speed_u_s) : 0;
     }
 }
 
@@ -99,42 +95,35 @@ void ocel_filter_advance(ocel_filter_t *filter, const ocel_tracker_config_t *con
         int64_t *const block = filter->cov_q6[entry];
         const int64_t q = (row_of[entry] == column_of[entry]) ? wander_q6 : 0;
 
-        add(&block[VV], q, half_q47);
+        ocel_add_product(&block[VV], q, half_q47);
         mix(block, 0U, 1U, t_q47, t_q47);
-        add(&block[VV], q, half_q47);
+        ocel_add_product(&block[VV], q, half_q47);
     }
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
         const int64_t a_q16 = (int64_t)config->acceleration_root_u_s2[i] * 65536;
 
-        add(&filter->v_u_s_q16[i], a_q16, half_q47);
-        add(&filter->p_u_q16[i], filter->v_u_s_q16[i], t_q47);
-        add(&filter->v_u_s_q16[i], a_q16, half_q47);
+        ocel_add_product(&filter->v_u_s_q16[i], a_q16, half_q47);
+        ocel_add_product(&filter->p_u_q16[i], filter->v_u_s_q16[i], t_q47);
+        ocel_add_product(&filter->v_u_s_q16[i], a_q16, half_q47);
     }
     limit_state(filter, config->max_speed_u_s);
 }
 
-/* What a measurement says of an axis, against what was predicted; within 2^47. */
-static int64_t error_u_q16(const ocel_filter_t *filter, const ocel_estimate_t *measurement,
-                           uint32_t axis) {
-    return ((int64_t)measurement->p_root_u[axis] * 65536) - filter->p_u_q16[axis];
-}
-
-/* The variance of that: 64 .. 2^59. */
-static int64_t variance_q6(const ocel_filter_t *filter, const ocel_estimate_t *measurement,
-                           uint32_t axis) {
-    return filter->cov_q6[diagonal[axis]][PP] + noise_q6(measurement, diagonal[axis]);
+/* The variance of a measurement against what was predicted: 64 .. 2^59. */
+static int64_t variance_q6(const ocel_filter_t *filter, const ocel_fix_t *fix, uint32_t axis) {
+    return filter->cov_q6[diagonal[axis]][PP] + fix->cov_q6[diagonal[axis]];
 }
 
 bool ocel_filter_admits(const ocel_filter_t *filter, const ocel_tracker_config_t *config,
-                        const ocel_estimate_t *measurement) {
+                        const ocel_fix_t *fix) {
     bool admits = true;
 
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-        const uint64_t sigma_q3 = ocel_isqrt64((uint64_t)variance_q6(filter, measurement, i));
+        const uint64_t sigma_q3 = ocel_isqrt64((uint64_t)variance_q6(filter, fix, i));
         const uint64_t reach_q16 = ((sigma_q3 * config->gate_q16) >> 3U) +
                                    ((uint64_t)(uint32_t)config->gate_floor_u << 16U);
 
-        admits = admits && (ocel_abs64(error_u_q16(filter, measurement, i)) <= reach_q16);
+        admits = admits && (ocel_abs64(fix->p_u_q16[i] - filter->p_u_q16[i]) <= reach_q16);
     }
     return admits;
 }
@@ -146,32 +135,33 @@ static void correct_block(int64_t block[BLOCK], const int64_t row_q47[2],
     mix(block, 1U, 0U, row_q47[1], column_q47[1]);
     mix(block, 0U, 0U, row_q47[0], column_q47[0]);
     for (uint32_t k = 0U; k < (uint32_t)BLOCK; k++) { /* bound: BLOCK */
-        add(&block[k], ocel_times(noise, row_q47[k >> 1U], -FACTOR_BITS), column_q47[k & 1U]);
+        ocel_add_product(&block[k], ocel_times(noise, row_q47[k >> 1U], -FACTOR_BITS),
+                         column_q47[k & 1U]);
     }
 }
 
 /* Kalman's gains of each axis, negated: the covariances of its position and of its
  * velocity with the position, over the variance of the error. */
 void ocel_filter_correct(ocel_filter_t *filter, const ocel_tracker_config_t *config,
-                         const ocel_estimate_t *measurement) {
+                         const ocel_fix_t *fix) {
     int64_t gains_q47[3][2];
 
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
         const int64_t *const block = filter->cov_q6[diagonal[i]];
-        const int64_t error = error_u_q16(filter, measurement, i);
+        const int64_t error = filter->p_u_q16[i] - fix->p_u_q16[i];
         int64_t inverse_q60;
         int32_t e;
 
-        ocel_recip_q60((uint64_t)variance_q6(filter, measurement, i), &inverse_q60, &e);
+        ocel_recip_q60((uint64_t)variance_q6(filter, fix, i), &inverse_q60, &e);
         e += FACTOR_BITS - 120;
         gains_q47[i][0] = -ocel_times(block[PP], inverse_q60, e);
         gains_q47[i][1] = -ocel_times(block[VP], inverse_q60, e);
-        add(&filter->p_u_q16[i], -error, gains_q47[i][0]);
-        add(&filter->v_u_s_q16[i], -error, gains_q47[i][1]);
+        ocel_add_product(&filter->p_u_q16[i], error, gains_q47[i][0]);
+        ocel_add_product(&filter->v_u_s_q16[i], error, gains_q47[i][1]);
     }
     for (uint32_t entry = 0U; entry < (uint32_t)OCEL_SYM3_COUNT; entry++) { /* bound: 6 */
         correct_block(filter->cov_q6[entry], gains_q47[row_of[entry]], gains_q47[column_of[entry]],
-                      noise_q6(measurement, entry));
+                      fix->cov_q6[entry]);
     }
     limit_state(filter, config->max_speed_u_s);
 }

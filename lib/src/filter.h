@@ -7,10 +7,10 @@
  * axes: so the long, slanting ellipsoid of what an eye measures is kept, without
  * the 3x3 inverse that gains across the axes would want.
  *
- * Overflow, for any input whatever: every product is ocel_times, within +-2^60,
- * and every sum of two terms is clamped to that again.  Figures within the ranges
- * of track.h never meet the clamp: a position's deviation is below 2^26 u as
- * max_speed_u_s * coast_us is, so its variance in Q6 is below 2^58.
+ * Overflow, for any input whatever: every product is ocel_times and every sum
+ * ocel_add_product, within +-2^60.  Figures within the ranges of track.h never meet
+ * that limit: a position's deviation is below 2^26 u as max_speed_u_s * coast_us is, so
+ * its variance in Q6 is below 2^58.
  */
 #ifndef OCEL_FILTER_H
 #define OCEL_FILTER_H
@@ -20,21 +20,24 @@
 
 #include <ocellus/track.h>
 
+/* A measurement within the ranges of tracker.h, made ready. */
+void ocel_filter_fix(ocel_fix_t *fix, const ocel_estimate_t *measurement);
+
 /* A filter at the measurement, at rest; the gate then holds what is in reach at
  * max_speed_u_s. */
 void ocel_filter_start(ocel_filter_t *filter, const ocel_tracker_config_t *config,
-                       const ocel_estimate_t *measurement);
+                       const ocel_fix_t *fix);
 
-/* Predicts; dt_us <= OCEL_SECONDS_MAX_US. */
+/* Predicts; dt_us <= 4000000. */
 void ocel_filter_advance(ocel_filter_t *filter, const ocel_tracker_config_t *config,
                          uint32_t dt_us);
 
 /* Whether a measurement lies within the gate, along every axis. */
 bool ocel_filter_admits(const ocel_filter_t *filter, const ocel_tracker_config_t *config,
-                        const ocel_estimate_t *measurement);
+                        const ocel_fix_t *fix);
 
 /* Takes a measurement. */
 void ocel_filter_correct(ocel_filter_t *filter, const ocel_tracker_config_t *config,
-                         const ocel_estimate_t *measurement);
+                         const ocel_fix_t *fix);
 
 #endif

@@ -117,18 +117,17 @@ ocel_status_t ocel_gaze_error(const int32_t d_cam[3], ocel_gaze_error_t *error) 
  * of a T / 2.  A speed for which that is at most the room leaves one for which it is
  * so again after any interval up to T; so does one of at most a T and room / T.  The
  * larger of the two may be had.
- *   room_q32 < 2^32.5, a_q24 <= 2^29, T <= 1 s: 2 a room is below 2^62.5, the result
- *   below 2^36; it is at most 2^4 short. */
-static int64_t reach_q32(int64_t room_q32, int64_t a_q24, uint32_t command_us) {
+ *   room_q32 < 2^32.5, a_q24 <= 2^29, a T <= 2^37, T <= 1 s: 2 a room is below 2^62.5,
+ *   the result below 2^36; it is at most 2^4 short. */
+static int64_t reach_q32(int64_t room_q32, int64_t a_q24, int64_t change_q32, uint32_t command_us) {
     int64_t reach = 0;
 
     if (room_q32 > 0) {
-        const int64_t change = ocel_times(a_q24 * 256, ocel_seconds_q47(command_us), -47);
         const uint64_t root_q28 = ocel_isqrt64(2U * (uint64_t)a_q24 * (uint64_t)room_q32);
-        const int64_t braked = (int64_t)(root_q28 << 4U) - (ocel_asr64(change, 1U) + 1);
+        const int64_t braked = (int64_t)(root_q28 << 4U) - (ocel_asr64(change_q32, 1U) + 1);
 
         reach = (int64_t)ocel_udiv64((uint64_t)room_q32 * US_PER_S, command_us);
-        reach = (reach < change) ? reach : change;
+        reach = (reach < change_q32) ? reach : change_q32;
         reach = (reach > braked) ? reach : braked;
     }
     return reach;
@@ -160,19 +159,20 @@ static int64_t pan_limit_q32(const ocel_gaze_t *gaze, const moment_t *moment, ui
 static int64_t drive(ocel_gaze_t *gaze, const moment_t *moment, uint32_t joint, int64_t wanted) {
     const ocel_gaze_config_t *const config = &gaze->config;
     const int64_t a_q24 = config->max_acceleration_q24[joint];
+    const int64_t change = ocel_times(a_q24 * 256, ocel_seconds_q47(config->command_us), -47);
     const int64_t pan = pan_limit_q32(gaze, moment, joint);
     const int64_t at = moment->joints_q32[joint];
-    const int64_t last = gaze->speed_q32[joint];
-    const int64_t step = ocel_times(a_q24 * 256, moment->dt_q47, -47);
-    const int64_t high =
-        reach_q32(ocel_clamp64(gaze->max_q32[joint], pan) - at, a_q24, config->command_us);
-    const int64_t low =
-        -reach_q32(at - ocel_clamp64(gaze->min_q32[joint], pan), a_q24, config->command_us);
-    int64_t v = last + ocel_clamp64(wanted - last, step);
+    const int64_t room[2] = {ocel_clamp64(gaze->max_q32[joint], pan) - at,
+                             at - ocel_clamp64(gaze->min_q32[joint], pan)};
+    int64_t v = gaze->speed_q32[joint];
 
+    v += ocel_clamp64(wanted - v, ocel_times(a_q24 * 256, moment->dt_q47, -47));
     v = ocel_clamp64(v, config->max_speed_q32[joint]);
-    v = (v < high) ? v : high;
-    v = (v > low) ? v : low;
+    for (uint32_t side = 0U; side < 2U; side++) { /* bound: both limits, v turned over for one */
+        const int64_t reach = reach_q32(room[side], a_q24, change, config->command_us);
+
+        v = -((v < reach) ? v : reach);
+    }
     gaze->speed_q32[joint] = (int32_t)v;
     return v;
 }

@@ -37,3 +37,7 @@ int64_t ocel_clamp64(int64_t v, int64_t limit) {
     }
     return result;
 }
+
+void ocel_add_product(int64_t *sum, int64_t a, int64_t b_q47) {
+    *sum = ocel_clamp64(*sum + ocel_times(a, b_q47, -OCEL_SECONDS_BITS), LARGEST);
+}

@@ -22,6 +22,10 @@ static inline int64_t ocel_seconds_q47(uint32_t dt_us) {
  * -120 <= e <= 0.  Error: half an LSB, and what two LSB of b would make. */
 int64_t ocel_times(int64_t a, int64_t b, int32_t e);
 
+/* *sum + a * b in place of *sum, within +-2^60; b in Q47, |*sum| <= 2^60, the others as
+ * above. */
+void ocel_add_product(int64_t *sum, int64_t a, int64_t b_q47);
+
 /* v, or the one of +-limit that it is beyond; limit >= 0. */
 int64_t ocel_clamp64(int64_t v, int64_t limit);
 

@@ -87,14 +87,14 @@ static uint32_t go_on(ocel_tracker_t *tracker, int64_t time_us) {
 
 /* Whether the measurement agrees with the one that was refused in the frame before;
  * then that one is the track. */
-static bool restarts(ocel_tracker_t *tracker, uint32_t dt_us, const ocel_estimate_t *measurement) {
+static bool restarts(ocel_tracker_t *tracker, uint32_t dt_us, const ocel_fix_t *fix) {
     ocel_filter_t other;
     bool agrees = tracker->has_refused;
 
     if (agrees) {
         ocel_filter_start(&other, &tracker->config, &tracker->refused);
         ocel_filter_advance(&other, &tracker->config, dt_us);
-        agrees = ocel_filter_admits(&other, &tracker->config, measurement);
+        agrees = ocel_filter_admits(&other, &tracker->config, fix);
     }
     if (agrees) {
         tracker->filter = other;
@@ -107,23 +107,25 @@ static ocel_status_t judge(ocel_tracker_t *tracker, uint32_t dt_us,
                            const ocel_estimate_t *measurement) {
     const ocel_tracker_config_t *const config = &tracker->config;
     bool taken = true;
+    ocel_fix_t fix;
 
+    ocel_filter_fix(&fix, measurement);
     if (tracker->state == OCEL_TRACK_LOST) {
-        ocel_filter_start(&tracker->filter, config, measurement);
+        ocel_filter_start(&tracker->filter, config, &fix);
     } else {
-        taken = ocel_filter_admits(&tracker->filter, config, measurement);
+        taken = ocel_filter_admits(&tracker->filter, config, &fix);
         if (!taken) {
-            taken = restarts(tracker, dt_us, measurement);
+            taken = restarts(tracker, dt_us, &fix);
         }
         if (taken) {
-            ocel_filter_correct(&tracker->filter, config, measurement);
+            ocel_filter_correct(&tracker->filter, config, &fix);
         }
     }
     if (taken) {
         tracker->state = OCEL_TRACK_SEEN;
         tracker->seen_us = tracker->time_us;
     } else {
-        tracker->refused = *measurement;
+        tracker->refused = fix;
     }
     return taken ? OCEL_OK : OCEL_PARTIAL;
 }

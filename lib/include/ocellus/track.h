@@ -27,6 +27,12 @@ typedef struct {
                                           within +-2^27, 0: none */
 } ocel_tracker_config_t;
 
+/* A measurement as the filter takes it.  Opaque. */
+typedef struct {
+    int64_t p_u_q16[3];
+    int64_t cov_q6[OCEL_SYM3_COUNT];
+} ocel_fix_t;
+
 /* The filter of three axes.  Opaque. */
 typedef struct {
     int64_t p_u_q16[3];

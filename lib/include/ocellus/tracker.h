@@ -29,8 +29,8 @@ extern "C" {
 typedef struct {
     ocel_tracker_config_t config;
     ocel_filter_t filter;
-    ocel_estimate_t refused; /* the last frame's, when has_refused */
-    int64_t time_us;         /* of the last frame */
+    ocel_fix_t refused; /* the last frame's, when has_refused */
+    int64_t time_us;    /* of the last frame */
     int64_t seen_us;
     ocel_track_state_t state;
     bool has_refused;
