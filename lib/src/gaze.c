@@ -12,6 +12,7 @@
 #define COMMAND_MAX_US 1000000U
 #define US_PER_S 1000000U
 #define ACCELERATION_MAX_Q24 0x20000000
+#define ERROR_MAX_Q32 0x20000000
 #define GAIN_MAX_Q16 (64 * 65536)
 #define INTEGRAL_MAX_Q16 (256 * 65536)
 
@@ -25,7 +26,7 @@ static const uint8_t neck_joint[TOGETHER] = {OCEL_NECK_PITCH, OCEL_NECK_YAW};
 /* One call. */
 typedef struct {
     const int32_t *joints_q32;
-    int64_t error_q32[DIRECTIONS]; /* of the view: by how much it is to go there */
+    int32_t error_q32[DIRECTIONS]; /* of the view: by how much it is to go there */
     bool known[DIRECTIONS];
     int64_t dt_q47;
 } moment_t;
@@ -179,41 +180,47 @@ static int64_t drive(ocel_gaze_t *gaze, const moment_t *moment, uint32_t joint, 
 
 /* ---- All joints ---- */
 
-/* What both eyes tell, or the one that sees; less the dead band. */
-static void find_errors(const ocel_gaze_config_t *config,
-                        const ocel_gaze_error_t errors[OCEL_EYE_COUNT], moment_t *moment) {
+/* v in the sense that a joint's sign gives it. */
+static int64_t turned(int64_t v, int8_t sign) {
+    return (sign < 0) ? -v : v;
+}
+
+/* value * gain: below 2^37. */
+static int64_t times_q16(int32_t value, int32_t gain_q16) {
+    return ocel_asr64((int64_t)value * gain_q16, 16U);
+}
+
+/* What both eyes tell, or the one that sees.  More than an eighth of a turn counts as
+ * that, so that the sums hold. */
+static void find_errors(const ocel_gaze_error_t errors[OCEL_EYE_COUNT], moment_t *moment) {
     const bool both = errors[OCEL_LEFT].seen && errors[OCEL_RIGHT].seen;
 
     (void)memset(moment->error_q32, 0, sizeof(moment->error_q32));
     for (uint32_t eye = 0U; eye < (uint32_t)OCEL_EYE_COUNT; eye++) { /* bound: 2 eyes */
         if (errors[eye].seen) {
-            const int64_t right = errors[eye].right_q32;
+            const int32_t right = (int32_t)ocel_clamp64(errors[eye].right_q32, ERROR_MAX_Q32);
+            const int32_t down = (int32_t)ocel_clamp64(errors[eye].down_q32, ERROR_MAX_Q32);
 
-            moment->error_q32[UP] -= errors[eye].down_q32;
-            moment->error_q32[LEFT] -= right;
-            moment->error_q32[TOGETHER] += (eye == (uint32_t)OCEL_LEFT) ? right : -right;
+            moment->error_q32[UP] -= ocel_asr32(down, both ? 1U : 0U);
+            moment->error_q32[LEFT] -= ocel_asr32(right, both ? 1U : 0U);
+            if (both) {
+                moment->error_q32[TOGETHER] += (eye == (uint32_t)OCEL_LEFT) ? right : -right;
+            }
         }
     }
-    for (uint32_t k = 0U; k < (uint32_t)DIRECTIONS; k++) { /* bound: DIRECTIONS */
-        int64_t *const error = &moment->error_q32[k];
-
-        moment->known[k] = both || ((k != (uint32_t)TOGETHER) &&
-                                    (errors[OCEL_LEFT].seen || errors[OCEL_RIGHT].seen));
-        *error = ocel_asr64(moment->known[k] ? *error : 0,
-                            (both && (k != (uint32_t)TOGETHER)) ? 1U : 0U);
-        *error -= ocel_clamp64(*error, config->dead_band_q32);
-    }
+    moment->known[UP] = errors[OCEL_LEFT].seen || errors[OCEL_RIGHT].seen;
+    moment->known[LEFT] = moment->known[UP];
+    moment->known[TOGETHER] = both;
 }
 
 /* The neck's velocity in a direction: what brings the eyes back to their middle. */
 static int64_t follow(ocel_gaze_t *gaze, const moment_t *moment, uint32_t k) {
     const ocel_gaze_config_t *const config = &gaze->config;
-    const int64_t deviation =
-        (int64_t)config->sign[eye_joint[k]] * moment->joints_q32[eye_joint[k]];
-    const int64_t sign = config->sign[neck_joint[k]];
-    const int64_t wanted = ocel_asr64(deviation * config->neck_gain_q16, 16U);
+    const int8_t sign = config->sign[neck_joint[k]];
+    int64_t wanted = times_q16(moment->joints_q32[eye_joint[k]], config->neck_gain_q16);
 
-    return sign * drive(gaze, moment, neck_joint[k], moment->known[k] ? (sign * wanted) : 0);
+    wanted = turned(turned(wanted, config->sign[eye_joint[k]]), sign);
+    return turned(drive(gaze, moment, neck_joint[k], moment->known[k] ? wanted : 0), sign);
 }
 
 /* The eyes' velocity in a direction, over what the neck does there already.  The integral
@@ -223,15 +230,15 @@ static int64_t follow(ocel_gaze_t *gaze, const moment_t *moment, uint32_t k) {
 static void lead(ocel_gaze_t *gaze, const moment_t *moment, uint32_t k, int64_t neck) {
     const ocel_gaze_config_t *const config = &gaze->config;
     const uint32_t joint = eye_joint[k];
-    const int64_t sign = config->sign[joint];
-    const int64_t error = moment->error_q32[k];
+    const int64_t seen = moment->error_q32[k];
+    const int32_t error = (int32_t)(seen - ocel_clamp64(seen, config->dead_band_q32));
     int64_t integral = moment->known[k] ? gaze->integral_q32[k] : 0;
     const int64_t wanted =
-        sign * ((ocel_asr64(error * config->eye_gain_q16, 16U) + integral) - neck);
+        turned((times_q16(error, config->eye_gain_q16) + integral) - neck, config->sign[joint]);
     const bool had = drive(gaze, moment, joint, wanted) == wanted;
 
-    if (had && (ocel_abs64(error) <= (uint64_t)config->integral_band_q32)) {
-        integral += ocel_times(error * config->eye_integral_q16, moment->dt_q47, -63);
+    if (had && (ocel_clamp64(error, config->integral_band_q32) == error)) {
+        integral += ocel_times((int64_t)error * config->eye_integral_q16, moment->dt_q47, -63);
     } else {
         integral = ocel_asr64(integral, 1U);
     }
@@ -260,9 +267,9 @@ static ocel_status_t take_time(ocel_gaze_t *gaze, int64_t time_us, int64_t *dt_q
 }
 
 static void move(ocel_gaze_t *gaze, const moment_t *moment) {
-    const int64_t roll = (int64_t)moment->joints_q32[OCEL_NECK_ROLL] * gaze->config.neck_gain_q16;
+    const int64_t roll = times_q16(moment->joints_q32[OCEL_NECK_ROLL], gaze->config.neck_gain_q16);
 
-    (void)drive(gaze, moment, OCEL_NECK_ROLL, moment->known[UP] ? ocel_asr64(-roll, 16U) : 0);
+    (void)drive(gaze, moment, OCEL_NECK_ROLL, moment->known[UP] ? -roll : 0);
     for (uint32_t k = 0U; k < (uint32_t)DIRECTIONS; k++) { /* bound: DIRECTIONS */
         lead(gaze, moment, k, (k < (uint32_t)TOGETHER) ? follow(gaze, moment, k) : 0);
     }
@@ -283,7 +290,7 @@ ocel_status_t ocel_gaze_update(ocel_gaze_t *gaze, int64_t time_us,
         if (gaze->ready) {
             status = take_time(gaze, time_us, &moment.dt_q47);
             moment.joints_q32 = joints_q32;
-            find_errors(&gaze->config, errors, &moment);
+            find_errors(errors, &moment);
             move(gaze, &moment);
             (void)memcpy(command_q32, gaze->speed_q32, sizeof(gaze->speed_q32));
             if ((status == OCEL_OK) && !moment.known[UP]) {
