@@ -155,25 +155,93 @@ void draw_box(Image &image, const ocel_rect_t &box) {
     }
 }
 
+// A pixel as a camera without the lens would see it; false where it sees nothing.
+bool straightened(const ocel_camera_t &lens, double &x, double &y) {
+    const ocel_point_t pixel = {static_cast<std::int32_t>(std::lround(x * 65536)),
+                                static_cast<std::int32_t>(std::lround(y * 65536))};
+    const ocel_intrinsics_t &in = lens.intrinsics;
+    std::int32_t d[3] = {};
+    if (ocel_camera_ray(&lens, &pixel, d) != OCEL_OK) {
+        return false;
+    }
+    x = of_q16(in.cx_px_q16) + of_q16(in.fx_px_q16) * d[0] / d[2];
+    y = of_q16(in.cy_px_q16) + of_q16(in.fy_px_q16) * d[1] / d[2];
+    return true;
+}
+
+// The ellipse's outline and the place of its centre, seen through the lens if there is
+// one.
+void draw_ellipse(Image &image, const ocel_ellipse_t &ellipse, const ocel_camera_t *lens,
+                  const Ink &ink) {
+    const EllipseDistance distance(ellipse);
+    if (lens == nullptr) {
+        stroke(image, distance.area(image), kOutlineHalf, ink, distance);
+        draw_cross(image, of_q16(ellipse.cx_px_q16), of_q16(ellipse.cy_px_q16), ink);
+        return;
+    }
+    const Area everywhere = area_around(image, 0, 0, image.width, image.height);
+    stroke(image, everywhere, kOutlineHalf, ink, [&distance, lens](double x, double y) {
+        return straightened(*lens, x, y) ? distance(x, y) : HUGE_VAL;
+    });
+    const ocel_intrinsics_t &in = lens->intrinsics;
+    const double dx = of_q16(ellipse.cx_px_q16 - std::int64_t{in.cx_px_q16}) / of_q16(in.fx_px_q16);
+    const double dy = of_q16(ellipse.cy_px_q16 - std::int64_t{in.cy_px_q16}) / of_q16(in.fy_px_q16);
+    constexpr double kFar = 1e8;
+    const std::int32_t centre[3] = {static_cast<std::int32_t>(dx * kFar),
+                                    static_cast<std::int32_t>(dy * kFar),
+                                    static_cast<std::int32_t>(kFar)};
+    ocel_point_t pixel{};
+    if (ocel_camera_project(lens, centre, &pixel) == OCEL_OK) {
+        draw_cross(image, of_q16(pixel.x_px_q16), of_q16(pixel.y_px_q16), ink);
+    }
+}
+
+// Digits of 3 x 5 dots, from the upper left, one bit a dot; the last is `/`.
+constexpr unsigned kGlyphs[11] = {0x7B6F, 0x2C97, 0x73E7, 0x73CF, 0x5BC9, 0x79CF,
+                                  0x79EF, 0x7249, 0x7BEF, 0x7BCF, 0x12A4};
+constexpr long kDot = 2; // px
+constexpr long kGlyphWidth = 4 * kDot;
+constexpr long kLabelHeight = 7 * kDot;
+
+// White on a dark ground, its upper left corner there or as near as the image has room.
+void draw_label(Image &image, const std::string &text, long left, long top) {
+    const long width = static_cast<long>(text.size()) * kGlyphWidth + kDot;
+    const long x0 = std::max(std::min(left, long{image.width} - width), 0L);
+    const long y0 = std::max(std::min(top, long{image.height} - kLabelHeight), 0L);
+    for (long y = 0; y < kLabelHeight; ++y) {
+        for (long x = 0; x < width; ++x) {
+            const long column = x / kDot - 1;
+            const long row = y / kDot - 1;
+            const bool inside = column >= 0 && column % 4 < 3 && row >= 0 && row < 5;
+            const char c = inside ? text[static_cast<std::size_t>(column / 4)] : '0';
+            const unsigned glyph = kGlyphs[c == '/' ? 10 : c - '0'];
+            const bool ink = inside && ((glyph >> (14 - 3 * row - column % 4)) & 1U) != 0U;
+            blend(image, x0 + x, y0 + y, ink ? kBox : kShade, ink ? 1.0 : kShadeStrength);
+        }
+    }
+}
+
 } // namespace
 
-Image annotated(const Image &image, const ocel_detection_t &detection) {
+Image annotated(const Image &image, const ocel_detection_t &detection, const Overlay &overlay) {
     Image copy = in_colour(image);
     if (detection.status == OCEL_NOT_SEEN) {
         return copy;
     }
     const Ink &ink = detection.status == OCEL_OK ? kVouched : kEstimate;
-    std::int32_t cx_px_q16 = 0;
-    std::int32_t cy_px_q16 = 0;
-    ocel_blob_centroid(&detection.blob, &cx_px_q16, &cy_px_q16);
-    draw_box(copy, detection.blob.box);
+    const ocel_rect_t &box = detection.blob.box;
+    draw_box(copy, box);
     if (detection.has_ellipse) {
-        const EllipseDistance distance(detection.ellipse);
-        stroke(copy, distance.area(copy), kOutlineHalf, ink, distance);
-        cx_px_q16 = detection.ellipse.cx_px_q16;
-        cy_px_q16 = detection.ellipse.cy_px_q16;
+        draw_ellipse(copy, detection.ellipse, overlay.lens, ink);
+    } else {
+        std::int32_t cx_px_q16 = 0;
+        std::int32_t cy_px_q16 = 0;
+        ocel_blob_centroid(&detection.blob, &cx_px_q16, &cy_px_q16);
+        draw_cross(copy, of_q16(cx_px_q16), of_q16(cy_px_q16), ink);
     }
-    draw_cross(copy, of_q16(cx_px_q16), of_q16(cy_px_q16), ink);
+    if (!overlay.label.empty()) {
+        draw_label(copy, overlay.label, long{box.left}, long{box.top} + box.height + 2);
+    }
     return copy;
 }
 

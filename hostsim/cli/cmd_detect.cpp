@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <ocellus/eye.h>
+#include <ocellus/sphere.h>
 
 #include "annotate.hpp"
 #include "camera_lines.hpp"
@@ -17,6 +18,7 @@
 #include "error.hpp"
 #include "input.hpp"
 #include "json_out.hpp"
+#include "placing.hpp"
 
 namespace cli {
 
@@ -28,13 +30,12 @@ struct DetectArguments {
     std::string colour;
     std::string teach;
     std::string teach_space;
-    std::string method = "b2ac";
+    std::string method; // empty: sphere with a camera, else b2ac
     std::string perturb = "auto";
     std::string connectivity = "8";
     std::string format = "auto";
     std::string annotate;
-    std::string camera;
-    std::string radius;
+    PlacingArguments placing;
     std::uint32_t min_area = 16;
     std::vector<std::string> paths;
 };
@@ -53,16 +54,25 @@ SPEC is a range of colours, both ends included, whole numbers 0..255:
 Quick start: --teach x,y,w,h learns the range from a rectangle on the ball, in
 the first image, and prints it as `colour`; give that to --colour afterwards.
 
+With --camera and --radius the ball is placed in space. The method is then sphere: the
+cone of rays that touch the ball, fitted to the part of the outline that is the ball's
+(half of it may be hidden); the ellipse is the cone's. With another method the ball is
+placed by its ellipse's centre and area.
+
 Output: status, method, blob:{left,top,width,height,area,cx,cy},
 ellipse:{cx,cy,a,b,angle_deg}, arc_coverage (0..1: how much of the outline's turn
-was seen), rms_px, centre_sigma_px when not ok (how far the centre may be off),
-and colour when it was taught. What does not exist for a
-status is left out. ok: vouched for; clipped: cut by the image's edge; partial:
-too short an arc; not_seen: no blob of at least --min-area pixels.
+was seen), rms_px, centre_sigma_px of an ellipse's fit that is not ok (how far the centre
+may be off), sphere:{x,y,z,inliers,sigma:{x,y,z}} with a camera (x right, y down, z
+forward, in the radius' unit; inliers are the outline's points that were the ball's),
+and colour when it was taught. What does not exist for a status is left out. ok:
+vouched for; clipped: cut by the image's edge; partial: too short an arc; not_seen: no
+blob of at least --min-area pixels. With --distortion the ellipse of method sphere is
+that of the image without it.
 
 Examples:
   ocellus detect --colour gray:122-255 coins.png
   ocellus detect --teach 150,110,16,16 --annotate out.png ball.png
+  ocellus detect --teach 150,110,16,16 --camera 257,257,160,120 --radius 35 ball.png
   ocellus detect --colour hsv:5-45,120-255,40-255 --format rgb565 \
       --annotate out/ frame_*.png)";
 
@@ -76,19 +86,23 @@ ocel_eye_config_t configuration(const DetectArguments &arguments, const Image &i
     return config;
 }
 
+// What the answer calls its method.
+std::string method_of(const DetectArguments &arguments) {
+    const bool placed = !arguments.placing.camera.empty();
+    return arguments.method.empty() ? (placed ? "sphere" : "b2ac") : arguments.method;
+}
+
 ocel_fit_options_t fit_options(const DetectArguments &arguments) {
+    const std::string method = method_of(arguments);
     ocel_fit_options_t options{};
-    options.method = parse_method(arguments.method);
+    options.method =
+        method == "sphere" ? OCEL_FIT_B2AC : parse_method(method, "sphere, b2ac, lcse or hyper");
     options.perturb = parse_perturb(arguments.perturb);
     return options;
 }
 
 // Everything that is wrong before a picture has been read.
 void check_arguments(const DetectArguments &arguments) {
-    if (!arguments.camera.empty() || !arguments.radius.empty()) {
-        throw InputError("--camera and --radius: this version has no sphere fit, so a camera is of "
-                         "no use to it: leave them out");
-    }
     if (arguments.colour.empty() == arguments.teach.empty()) {
         throw InputError(std::string("expected either --colour SPEC or --teach x,y,w,h; found ") +
                          (arguments.colour.empty() ? "neither" : "both") + "; SPEC is " +
@@ -146,22 +160,47 @@ fs::path annotated_path(const DetectArguments &arguments, const std::string &pat
     return fs::path(arguments.annotate) / (stem + ".png");
 }
 
+// What is known of one picture's ball.
+struct Finding {
+    ocel_detection_t detection{};
+    std::optional<ocel_camera_t> camera;
+    ocel_cone_t cone{};
+    bool by_cone = false; // the cone was fitted to the boundary, and its ellipse is its outline
+    std::optional<ocel_sphere_t> sphere;
+};
+
+// What a cone's fit adds to the picture.
+Overlay overlay_of(const Finding &finding) {
+    Overlay overlay;
+    if (finding.by_cone && finding.cone.point_count != 0U) {
+        overlay.label = std::to_string(finding.cone.inlier_count) + "/" +
+                        std::to_string(finding.cone.point_count);
+        overlay.lens = finding.camera->distorted ? &*finding.camera : nullptr;
+    }
+    return overlay;
+}
+
 void write_annotated(const DetectArguments &arguments, const std::string &path, const Image &image,
-                     const ocel_detection_t &detection) {
+                     const Finding &finding) {
     const fs::path target = annotated_path(arguments, path);
     std::error_code ignored;
     if (path != "-" && fs::equivalent(target, path, ignored)) {
         throw InputError("--annotate " + target.string() +
                          ": is the image itself; expected another name, so that it is not lost");
     }
-    write_png(target.string(), annotated(image, detection));
+    write_png(target.string(), annotated(image, finding.detection, overlay_of(finding)));
 }
 
 // One run of the command: the context, and the colour once it is known.
 class Detector {
   public:
     explicit Detector(const DetectArguments &arguments)
-        : arguments_(arguments), options_(fit_options(arguments)) {
+        : arguments_(arguments), method_(method_of(arguments)), options_(fit_options(arguments)) {
+        const PlacingArguments &placing = arguments.placing;
+        if (method_ == "sphere" || !placing.camera.empty() || !placing.radius.empty() ||
+            !placing.distortion.empty()) {
+            placing_.emplace(placing);
+        }
         if (!arguments.colour.empty()) {
             range_ = parse_colour(arguments.colour);
         }
@@ -173,12 +212,16 @@ class Detector {
         if (!range_) {
             range_ = teach(arguments_, display_name(path), image, lines);
         }
-        const ocel_detection_t detection = detect(image, lines);
-        const int exit_code = exit_code_of(detection.status);
-        if (!arguments_.annotate.empty()) {
-            write_annotated(arguments_, path, image, detection);
+        Finding finding;
+        finding.detection = detect(image, lines);
+        if (placing_) {
+            place(image, finding);
         }
-        print_line(json_of(detection, path));
+        const int exit_code = exit_code_of(finding.detection.status);
+        if (!arguments_.annotate.empty()) {
+            write_annotated(arguments_, path, image, finding);
+        }
+        print_line(json_of(finding, path));
         return exit_code;
     }
 
@@ -214,8 +257,40 @@ class Detector {
         }
     }
 
-    Json json_of(const ocel_detection_t &detection, const std::string &path) const {
-        Json object{{"status", ocel_status_name(detection.status)}, {"method", arguments_.method}};
+    // The ball's centre: by the cone of the boundary, or of the ellipse that was fitted.
+    void place(const Image &image, Finding &finding) const {
+        finding.camera = placing_->camera(image.width, image.height);
+        const bool has_cone =
+            method_ == "sphere"
+                ? take_cone(finding)
+                : finding.detection.has_ellipse &&
+                      ocel_cone_of_ellipse(&*finding.camera, &finding.detection.ellipse,
+                                           &finding.cone) == OCEL_OK;
+        ocel_sphere_t sphere{};
+        const ocel_status_t status = has_cone ? placing_->place(finding.cone, sphere) : OCEL_OK;
+        if (has_cone && status == OCEL_OK) {
+            finding.sphere = sphere;
+        } else if (method_ == "sphere" && status != OCEL_OK) {
+            finding.detection.status = status;
+            finding.detection.has_ellipse = false;
+        }
+    }
+
+    // The boundary's cone in the place of the eye's ellipse; false when there is none.
+    bool take_cone(Finding &finding) const {
+        ocel_detection_t &detection = finding.detection;
+        finding.by_cone = true;
+        detection.status =
+            ocel_eye_cone(eye_.get(), &*finding.camera, &finding.detection, &finding.cone);
+        const bool has_cone = finding.cone.sin_q30 != 0U;
+        detection.has_ellipse = has_cone && ocel_cone_outline(&*finding.camera, &finding.cone,
+                                                              &detection.ellipse) == OCEL_OK;
+        return has_cone;
+    }
+
+    Json json_of(const Finding &finding, const std::string &path) const {
+        const ocel_detection_t &detection = finding.detection;
+        Json object{{"status", ocel_status_name(detection.status)}, {"method", method_}};
         if (detection.status != OCEL_NOT_SEEN) {
             object["blob"] = json_of_blob(detection.blob);
         }
@@ -223,7 +298,13 @@ class Detector {
             object["ellipse"] = Json::object();
             add_ellipse(object["ellipse"], detection.ellipse);
             object["arc_coverage"] = decimal_of_q16(detection.ellipse.arc_coverage_q16);
-            add_quality(object, detection.status, detection.ellipse);
+            // A cone's uncertainty is its sphere's sigma.
+            add_quality(object, finding.by_cone ? OCEL_OK : detection.status, detection.ellipse);
+        }
+        if (finding.sphere) {
+            Json &sphere = object["sphere"] = placing_->centre(*finding.sphere);
+            sphere["inliers"] = finding.cone.inlier_count;
+            sphere["sigma"] = placing_->sigma(*finding.sphere);
         }
         if (!arguments_.teach.empty()) {
             object["colour"] = format_colour(*range_);
@@ -235,7 +316,9 @@ class Detector {
     }
 
     const DetectArguments &arguments_;
+    const std::string method_;
     const ocel_fit_options_t options_;
+    std::optional<Placing> placing_;
     std::optional<ocel_colour_range_t> range_;
     ocel_colour_table_t table_{};
     ocel_colour_t colour_{};
@@ -264,7 +347,8 @@ void add_options(CLI::App &command, DetectArguments &arguments) {
     add("--teach-space", arguments.teach_space, "SPACE",
         "learn in rgb, hsv (default), yuv or gray (default for grey images)");
     add("--method", arguments.method, "NAME",
-        "the fit: b2ac (default), lcse or hyper, see `ocellus fit --help`");
+        "the fit: sphere (default with --camera), b2ac (default without), lcse or hyper, see "
+        "`ocellus fit --help`");
     add("--perturb", arguments.perturb, "WHEN",
         "when lcse perturbs the points: auto (default), always or never");
     add("--connectivity", arguments.connectivity, "8|4",
@@ -274,10 +358,9 @@ void add_options(CLI::App &command, DetectArguments &arguments) {
         "what the library is fed: auto (default), rgb888, bgr888, gray8, or rgb565 as small "
         "cameras deliver it");
     add("--annotate", arguments.annotate, "OUT.png",
-        "write a copy with the blob's box, the ellipse (green when ok, else magenta) and its "
-        "centre to this PNG, or into this folder");
-    add("--camera", arguments.camera, "", "")->group("");
-    add("--radius", arguments.radius, "", "")->group("");
+        "write a copy with the blob's box, the ellipse (green when ok, else magenta), its centre "
+        "and with method sphere the inliers of all points to this PNG, or into this folder");
+    add_placing_options(command, arguments.placing);
     add("IMAGE", arguments.paths, "", "the images; - is stdin")->required();
 }
 
@@ -285,8 +368,8 @@ void add_options(CLI::App &command, DetectArguments &arguments) {
 
 void add_detect(CLI::App &app, int &exit_code) {
     const auto arguments = std::make_shared<DetectArguments>();
-    CLI::App *const command =
-        app.add_subcommand("detect", "Find a ball by its colour and fit its ellipse");
+    CLI::App *const command = app.add_subcommand(
+        "detect", "Find a ball by its colour, fit its ellipse and place it in space");
     command->footer(kFooter);
     add_options(*command, *arguments);
     command->callback([arguments, &exit_code] { exit_code = run_detect(*arguments); });

@@ -69,17 +69,17 @@ int run_fit(const FitArguments &arguments) {
 
 } // namespace
 
-ocel_fit_method_t parse_method(const std::string &name) {
+ocel_fit_method_t parse_method(const std::string &name, const char *expected) {
     for (const ocel_fit_method_t method : {OCEL_FIT_B2AC, OCEL_FIT_LCSE, OCEL_FIT_HYPER}) {
         if (name == method_name(method)) {
             return method;
         }
     }
     if (name == "sphere") {
-        throw InputError("--method sphere: this version has no sphere fit; expected b2ac, lcse or "
-                         "hyper");
+        throw InputError("--method sphere: fits a ball and no ellipse; expected b2ac, lcse or "
+                         "hyper, or the command ocellus sphere");
     }
-    throw InputError("--method " + quoted(name) + ": expected b2ac, lcse or hyper");
+    throw InputError("--method " + quoted(name) + ": expected " + expected);
 }
 
 ocel_perturb_t parse_perturb(const std::string &name) {

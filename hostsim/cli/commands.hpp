@@ -15,10 +15,12 @@ namespace cli {
 void add_fit(CLI::App &app, int &exit_code);
 void add_label(CLI::App &app, int &exit_code);
 void add_detect(CLI::App &app, int &exit_code);
+void add_sphere(CLI::App &app, int &exit_code);
 void add_bench(CLI::App &app, int &exit_code);
 
-// `b2ac`, `lcse` or `hyper`; InputError for another name.
-ocel_fit_method_t parse_method(const std::string &name);
+// `b2ac`, `lcse` or `hyper`; InputError for another name, with the names expected.
+ocel_fit_method_t parse_method(const std::string &name,
+                               const char *expected = "b2ac, lcse or hyper");
 
 // `auto`, `always` or `never`; InputError for another name.
 ocel_perturb_t parse_perturb(const std::string &name);

@@ -2,6 +2,7 @@
 #include "decimal.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cli {
@@ -14,6 +15,11 @@ struct Decimal {
     std::string digits;
     long point = 0;
 };
+
+// Lengths: 10^-9 to 10^9 of whatever unit, rounded to 20 bits.
+constexpr long kLengthDigits = 9;
+constexpr unsigned kLengthBits = 20;
+__extension__ using Wide = unsigned __int128;
 
 // Larger exponents are out of range, or zero, all the same.
 constexpr long kExponentMax = 100000;
@@ -88,10 +94,10 @@ int double_fraction(std::string &digits) {
     return carry;
 }
 
-// 0.d1 d2 ... times 65536, to nearest, ties to even.
-std::int64_t fraction_q16(std::string digits) {
+// 0.d1 d2 ... times 2^count, to nearest, ties to even.
+std::int64_t fraction_of(std::string digits, unsigned count) {
     std::int64_t bits = 0;
-    for (int i = 0; i < 16; ++i) {
+    for (unsigned i = 0; i < count; ++i) {
         bits = 2 * bits + double_fraction(digits);
     }
     const bool half_or_more = double_fraction(digits) == 1;
@@ -99,8 +105,8 @@ std::int64_t fraction_q16(std::string digits) {
     return bits + ((half_or_more && (!exactly_half || (bits & 1) == 1)) ? 1 : 0);
 }
 
-// The magnitude in Q16; -1 when it is 10^5 or more.
-std::int64_t magnitude_q16(const Decimal &decimal) {
+// The magnitude with `bits` fraction bits; -1 when it is 10^5 or more.
+std::int64_t magnitude(const Decimal &decimal, unsigned bits) {
     if (decimal.digits.empty() || decimal.point < -10) {
         return 0;
     }
@@ -114,23 +120,70 @@ std::int64_t magnitude_q16(const Decimal &decimal) {
         fraction.erase(0, 1);
     }
     fraction.insert(0, static_cast<std::size_t>(std::max(0L, -decimal.point)), '0');
-    return (whole << 16) + fraction_q16(fraction);
+    return (whole << bits) + fraction_of(fraction, bits);
 }
 
 } // namespace
 
-DecimalStatus parse_q16(const std::string &text, std::int32_t &value_q16) {
+DecimalStatus parse_fixed(const std::string &text, unsigned fraction_bits, std::int32_t &value) {
     constexpr std::int64_t kMax = std::numeric_limits<std::int32_t>::max();
     Decimal decimal;
-    value_q16 = 0;
+    value = 0;
     if (!parse_decimal(text, decimal)) {
         return DecimalStatus::kNotANumber;
     }
-    const std::int64_t exact = magnitude_q16(decimal);
+    const std::int64_t exact = magnitude(decimal, fraction_bits);
     const bool too_large = exact < 0 || exact > kMax;
-    const std::int64_t magnitude = too_large ? kMax : exact;
-    value_q16 = static_cast<std::int32_t>(decimal.negative ? -magnitude : magnitude);
+    const std::int64_t size = too_large ? kMax : exact;
+    value = static_cast<std::int32_t>(decimal.negative ? -size : size);
     return too_large ? DecimalStatus::kTooLarge : DecimalStatus::kOk;
+}
+
+DecimalStatus parse_q16(const std::string &text, std::int32_t &value_q16) {
+    return parse_fixed(text, 16, value_q16);
+}
+
+DecimalStatus parse_length(const std::string &text, Length &length) {
+    Decimal decimal;
+    length = {};
+    if (!parse_decimal(text, decimal)) {
+        return DecimalStatus::kNotANumber;
+    }
+    if (decimal.negative || decimal.digits.empty() || decimal.point < -kLengthDigits + 1 ||
+        decimal.point > kLengthDigits + 1) {
+        return DecimalStatus::kTooLarge;
+    }
+    // 0.d1 .. d17 as a fraction num / 10^17, then its power of ten, 10^-9 to 10^9.
+    Wide num = 0;
+    Wide den = 1;
+    for (std::size_t i = 0; i < 17; ++i) {
+        num = 10 * num + static_cast<Wide>(i < decimal.digits.size() ? decimal.digits[i] - '0' : 0);
+        den *= 10;
+    }
+    for (long i = 0; i < decimal.point; ++i) {
+        num *= 10;
+    }
+    for (long i = decimal.point; i < 0; ++i) {
+        den *= 10;
+    }
+    // num / den into [2^19, 2^20): both stay below 2^127.
+    while (num < (den << (kLengthBits - 1))) {
+        num *= 2;
+        --length.unit_log2;
+    }
+    while (num >= (den << kLengthBits)) {
+        den *= 2;
+        ++length.unit_log2;
+    }
+    length.count = static_cast<std::int32_t>((2 * num + den) / (2 * den));
+    return DecimalStatus::kOk;
+}
+
+double decimal_of_length(std::int64_t count, int unit_log2) {
+    // A unit of 2^-k has digits down to 10^-ceil(k log10(2)).
+    const int digits = unit_log2 < 0 ? static_cast<int>(std::ceil(-unit_log2 * 0.30103)) : 0;
+    const double scale = std::pow(10.0, digits);
+    return std::round(std::ldexp(static_cast<double>(count), unit_log2) * scale) / scale;
 }
 
 double decimal_of_q16(std::int64_t value_q16) {

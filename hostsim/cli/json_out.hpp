@@ -23,10 +23,10 @@ const char *method_name(ocel_fit_method_t method);
 Json json_of_blob(const ocel_blob_t &blob);
 
 // {cx, cy, a, b, angle_deg}, appended to `object`.
+void add_ellipse(Json &object, const ocel_ellipse_t &ellipse);
+
 // The residual, and for an estimate how far its centre may be off.
 void add_quality(Json &object, ocel_status_t status, const ocel_ellipse_t &ellipse);
-
-void add_ellipse(Json &object, const ocel_ellipse_t &ellipse);
 
 // Prints one line.  The text of a file name need not be UTF-8.
 void print_line(const Json &object);

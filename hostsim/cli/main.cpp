@@ -15,7 +15,8 @@
 namespace {
 
 constexpr const char *kDescription =
-    "ocellus: finds a ball in pictures and fits its ellipse, in integers.";
+    "ocellus: finds a ball in pictures, fits its ellipse and places it in space, in "
+    "integers.";
 
 constexpr const char *kFooter =
     R"(Output: one JSON object a line on stdout; messages go to stderr.
@@ -29,12 +30,14 @@ a >= b are semi-axes; angle_deg is that of the major axis, from +x towards +y,
 Examples:
   ocellus detect --colour hsv:340-20,90-255,60-255 --annotate out.png ball.png
   ocellus detect --teach 150,110,16,16 ball.png
+  ocellus detect --teach 150,110,16,16 --camera 257,257,160,120 --radius 35 ball.png
+  ocellus sphere --camera 257,257,160,120 --radius 35 outline.csv
   ocellus fit --method hyper points.csv
   ocellus label --connectivity 4 mask.pgm
 
 `ocellus COMMAND --help` tells more.)";
 
-constexpr const char *kCommands = "fit, label, detect or bench";
+constexpr const char *kCommands = "fit, label, detect, sphere or bench";
 
 // A word where a command should be, which the parser would call a missing one.
 void check_command(const CLI::App &app, int argc, char **argv) {
@@ -84,11 +87,8 @@ int run(int argc, char **argv) {
     cli::add_fit(app, exit_code);
     cli::add_label(app, exit_code);
     cli::add_detect(app, exit_code);
+    cli::add_sphere(app, exit_code);
     cli::add_bench(app, exit_code);
-    app.add_subcommand("sphere", "")->group("")->prefix_command()->callback([] {
-        throw cli::InputError(std::string("sphere: this version has no sphere fit; expected ") +
-                              kCommands);
-    });
     const int parsed = parse(app, argc, argv);
     return parsed != cli::kExitOk ? parsed : exit_code;
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Decimal text to Q16 and back, against exact fractions."""
+"""Decimal text to fixed point and back, against exact fractions."""
 
 import fractions
 import os
@@ -15,9 +15,10 @@ def q16_of(text):
     return round(fractions.Fraction(text) * 65536)
 
 
-def probe(texts):
-    finished = subprocess.run([os.environ["DECIMAL_PROBE"]], input="\n".join(texts) + "\n",
-                              capture_output=True, text=True, check=True)
+def probe(texts, *arguments):
+    finished = subprocess.run([os.environ["DECIMAL_PROBE"], *arguments],
+                              input="\n".join(texts) + "\n", capture_output=True, text=True,
+                              check=True)
     return finished.stdout.splitlines()
 
 
@@ -69,3 +70,26 @@ class Decimal(unittest.TestCase):
         for value, line in zip(exact, probe(texts)):
             error = abs(fractions.Fraction(line.split()[1]) - value)
             self.assertLessEqual(error, fractions.Fraction(1, 2000000))
+
+
+class Length(unittest.TestCase):
+    def test_twenty_bits_of_any_unit(self):
+        rng = random.Random(SEED)
+        texts = ["35", "33.1", ".0331", "3.5e-2", "1", "1e9", "0.000000001", "524288", "524287",
+                 "1048575", "1048576", "999999999", "1.99999999999999999999"]
+        texts += [f"{rng.uniform(1, 10):.{rng.randrange(18)}f}e{rng.randrange(-9, 9)}"
+                  for _ in range(2000)]
+        for text, line in zip(texts, probe(texts, "length")):
+            count, log2, printed = line.split()
+            count, unit = int(count), fractions.Fraction(2) ** int(log2)
+            self.assertTrue(2**19 <= count <= 2**20, text)
+            self.assertLessEqual(abs(fractions.Fraction(text) / unit - count),
+                                 fractions.Fraction(501, 1000), text)
+            thousand = 1000 * count * unit
+            error = abs(fractions.Fraction(printed) - thousand)
+            self.assertLessEqual(error, unit / 2 + thousand / 10**15 if unit < 1 else 1, text)
+
+    def test_what_is_no_length(self):
+        self.assertEqual(probe(["0", "0.0", "-1", "1e-10", "1e11", "1e999999", "-0"], "length"),
+                         ["large"] * 7)
+        self.assertEqual(probe(["", "x", "35mm", "1,5", "nan"], "length"), ["word"] * 5)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""ocellus detect: a rendered ball, its fields for each status, teaching, pictures."""
+"""ocellus detect: a rendered ball, its fields for each status, teaching, pictures.
+The ball in space is test_sphere.py's."""
 
 import math
 
@@ -170,11 +171,6 @@ class Specs(DetectTest):
         self.assert_refused(self.run_program("detect", "ball.png"), "found neither")
         self.assert_refused(self.run_program("detect", "--colour", ORANGE, "--teach", "1,2,9,9",
                                              "ball.png"), "found both")
-
-    def test_what_this_version_has_not(self):
-        for extra in (["--camera", "257,257,160,120", "--radius", "35"], ["--method", "sphere"]):
-            self.assert_refused(self.run_program("detect", "--colour", ORANGE, *extra, "ball.png"),
-                                "this version has no sphere fit")
 
     def test_bad_options(self):
         for option, value in (("--method", "best"), ("--connectivity", "6"), ("--format", "nv12"),

@@ -20,7 +20,8 @@ class Program(ProgramTest):
 
     def test_help_teaches(self):
         for command, parts in (([], ["Exit code", "Examples"]), (["fit"], ["POINTS.csv", "px"]),
-                               (["label"], ["MASK"]), (["detect"], ["SPEC", "hsv:", "Examples"]),
+                               (["label"], ["MASK"]),
+                               (["sphere"], ["POINTS.csv", "z forward", "Examples"]), (["detect"], ["SPEC", "hsv:", "Examples"]),
                                (["bench"], ["this machine"])):
             finished = subprocess.run([os.environ["OCELLUS"], *command, "--help"],
                                       capture_output=True, text=True, check=True)
@@ -30,15 +31,16 @@ class Program(ProgramTest):
     def test_usage(self):
         self.assert_refused(self.run_program(), "subcommand")
         self.assert_refused(self.run_program("find"), "found 'find'",
-                            "fit, label, detect or bench")
+                            "fit, label, detect, sphere or bench")
         self.assert_refused(self.run_program("fit"), "POINTS.csv", "--help")
         self.assert_refused(self.run_program("fit", "--speed", "9", "-"), "found '--speed'")
         self.assert_refused(self.run_program("fit", "--method", "best", "-"), "--method 'best'",
                             "b2ac, lcse or hyper")
         self.assert_refused(self.run_program("fit", "--perturb", "maybe", "-"),
                             "auto, always or never")
-        self.assert_refused(self.run_program("sphere", "--camera", "1,1,1,1", "p.csv"),
-                            "this version has no sphere fit")
+        self.assert_refused(self.run_program("fit", "--method", "sphere", "-"),
+                            "b2ac, lcse or hyper", "ocellus sphere")
+        self.assert_refused(self.run_program("sphere"), "POINTS.csv", "--help")
 
     def test_output_that_cannot_be_written_is_said(self):
         with open("/dev/full", "wb") as full:
