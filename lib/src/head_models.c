@@ -15,7 +15,6 @@
 #define DEGREES(d) ((int32_t)((d) * 11930465))
 
 #define FIXED ((uint8_t)OCEL_JOINT_COUNT)
-#define JOINT(name) ((uint8_t)(OCEL_##name))
 
 /* In the order of ocel_joint_t: pitch, roll, yaw, tilt, version, vergence.  The eyes'
  * vergence is limited by their pan. */
@@ -27,11 +26,13 @@
 const ocel_head_model_t ocel_head_paper = {
     {{{ONE_Q30, 0, 0}, {0, ONE_Q30, 0}, {0, 0, ONE_Q30}}, {0, 0, 0}},
     {{0, 3010000, 0, QUARTER, 0, FIXED, 0, 0},
-     {0, 0, 0, -QUARTER, 0, JOINT(NECK_PITCH), 1, 0},
-     {360000, 490000, 0, QUARTER, 0, JOINT(NECK_YAW), 1, 0},
-     {0, 0, 175000, -QUARTER, 0, JOINT(EYES_TILT), 1, 0},
-     {0, 0, 0, 0, 0, JOINT(EYES_VERSION), 1, 1},
-     {0, 0, 0, -QUARTER, -QUARTER, FIXED, 0, 0}},
+     {0, 0, 0, -QUARTER, 0, (uint8_t)OCEL_NECK_PITCH, 1, 0},
+     {360000, 490000, 0, QUARTER, 0, (uint8_t)OCEL_NECK_YAW, 1, 0},
+     {0, 0, 175000, -QUARTER, 0, (uint8_t)OCEL_EYES_TILT, 1, 0},
+     {0, 0, 0, 0, 0, (uint8_t)OCEL_EYES_VERSION, 1, 1},
+     {0, 0, 0, -QUARTER, -QUARTER, FIXED, 0, 0},
+     {0, 0, 0, 0, 0, FIXED, 0, 0},
+     {0, 0, 0, 0, 0, FIXED, 0, 0}},
     6U,
     {DEGREES(-40), 0, DEGREES(-55), DEGREES(-35), DEGREES(-50), 0},
     {DEGREES(30), 0, DEGREES(55), DEGREES(15), DEGREES(50), DEGREES(100)},
@@ -42,17 +43,17 @@ const ocel_head_model_t ocel_head_paper = {
 
 /* The eyes' baseline is 68 mm; the end's axes are the camera's already. */
 #define ICUB_EYES                                                                                  \
-    {0, 0, 34000, -QUARTER, 0, JOINT(EYES_TILT), 1, 0},                                            \
-        {0, 0, 0, QUARTER, -QUARTER, JOINT(EYES_VERSION), 1, -1}
+    {0, 0, 34000, -QUARTER, 0, (uint8_t)OCEL_EYES_TILT, 1, 0},                                     \
+        {0, 0, 0, QUARTER, -QUARTER, (uint8_t)OCEL_EYES_VERSION, 1, -1}
 
 const ocel_head_model_t ocel_head_icub_v1 = {
     ICUB_BASE,
     {{32000, 0, 0, QUARTER, 0, FIXED, 0, 0},
      {0, -5500, 0, QUARTER, -QUARTER, FIXED, 0, 0},
      {2310, -193300, 0, -QUARTER, -QUARTER, FIXED, 0, 0},
-     {33000, 0, 0, QUARTER, QUARTER, JOINT(NECK_PITCH), 1, 0},
-     {0, 1000, 0, -QUARTER, -QUARTER, JOINT(NECK_ROLL), 1, 0},
-     {-54000, 82500, 0, -QUARTER, QUARTER, JOINT(NECK_YAW), 1, 0},
+     {33000, 0, 0, QUARTER, QUARTER, (uint8_t)OCEL_NECK_PITCH, 1, 0},
+     {0, 1000, 0, -QUARTER, -QUARTER, (uint8_t)OCEL_NECK_ROLL, 1, 0},
+     {-54000, 82500, 0, -QUARTER, QUARTER, (uint8_t)OCEL_NECK_YAW, 1, 0},
      ICUB_EYES},
     8U,
     ICUB_MIN,
@@ -64,9 +65,9 @@ const ocel_head_model_t ocel_head_icub_v2 = {
     {{32000, 0, 0, QUARTER, 0, FIXED, 0, 0},
      {0, -5500, 0, QUARTER, -QUARTER, FIXED, 0, 0},
      {0, -223300, 0, -QUARTER, -QUARTER, FIXED, 0, 0},
-     {9500, 0, 0, QUARTER, QUARTER, JOINT(NECK_PITCH), 1, 0},
-     {0, 0, 0, -QUARTER, -QUARTER, JOINT(NECK_ROLL), 1, 0},
-     {-50900, 82050, 0, -QUARTER, QUARTER, JOINT(NECK_YAW), 1, 0},
+     {9500, 0, 0, QUARTER, QUARTER, (uint8_t)OCEL_NECK_PITCH, 1, 0},
+     {0, 0, 0, -QUARTER, -QUARTER, (uint8_t)OCEL_NECK_ROLL, 1, 0},
+     {-50900, 82050, 0, -QUARTER, QUARTER, (uint8_t)OCEL_NECK_YAW, 1, 0},
      ICUB_EYES},
     8U,
     ICUB_MIN,

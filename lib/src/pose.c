@@ -27,7 +27,7 @@ bool ocel_pose_point(const ocel_pose_t *X_A_B, const int32_t p_B_u[3], int32_t p
             ocel_dot(X_A_B->r_q30[i], p_B_u) + ocel_shl64((int64_t)X_A_B->p_u[i], 30U);
         const int64_t p_u = ocel_shift_round64(p_q30, 30U);
 
-        inside = inside && (ocel_abs64(p_u) <= (uint64_t)OCEL_MAX_POSITION_U);
+        inside = inside && (ocel_abs64(p_u) <= OCEL_MAX_POSITION_U);
         p_A_u[i] = (int32_t)p_u;
     }
     if (!inside) {

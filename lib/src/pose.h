@@ -12,7 +12,7 @@
 #include <ocellus/space.h>
 
 /* Positions that the stages of the third dimension take and give: |p| <= this, each. */
-#define OCEL_MAX_POSITION_U ((int64_t)1 << 30)
+#define OCEL_MAX_POSITION_U 0x40000000U /* 2^30 */
 
 /* a . b of vectors in any format: |a| |b| < 2^63 as integers, which unit vectors
  * in Q30 and any int32 vectors of 2^61.9 together are. */

@@ -63,7 +63,9 @@ static bool line_of(const int32_t p_u[3], const int32_t d_q30[3], line_t *line) 
     bool within = true;
 
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-        excess_q60 += (uint64_t)((int64_t)d_q30[i] * d_q30[i]);
+        const int64_t square_q60 = (int64_t)d_q30[i] * d_q30[i];
+
+        excess_q60 += (uint64_t)square_q60;
         within = within && (p_u[i] >= -OCEL_MAX_STEREO_U) && (p_u[i] <= OCEL_MAX_STEREO_U);
         line->p_q30[i] = wide(p_u[i]);
         line->d_q60[i] = wide(d_q30[i]);
@@ -80,6 +82,22 @@ typedef struct {
     int64_t t_q30[2]; /* along each ray to the closest approach, u: 2^30 .. 2^58 */
 } crossing_t;
 
+/* How far along one ray the other is closest: (w x d of the other) . normal / sine. */
+static ocel_status_t reach(const int64_t w_q30[3], const line_t *other, const crossing_t *c,
+                           int64_t *t_q30) {
+    ocel_status_t status = OCEL_OUT_OF_RANGE;
+    int64_t moment_q30[3];
+    int64_t half_q30; /* t / 2^(e - 1) */
+
+    cross(w_q30, other->d_q60, moment_q30);
+    half_q30 = ocel_mul_q60(dot(moment_q30, c->normal_q60), c->y_q60);
+    if (half_q30 < ocel_scale_q60(1, 59 - c->e)) {
+        *t_q30 = ocel_scale_q60(half_q30, c->e - 1);
+        status = (*t_q30 < ONE_Q30) ? OCEL_DEGENERATE : OCEL_OK;
+    }
+    return status;
+}
+
 /* The closest approach of p_l + t_l d_l and p_r + t_r d_r.  With w = p_r - p_l and
  * n = d_l x d_r: t_l = (w x d_r) . n / n^2, t_r = (w x d_l) . n / n^2, and the gap is
  * w . n / |n|; none of it asks that the directions' length be 1 exactly.
@@ -89,7 +107,6 @@ typedef struct {
  * product, and the normal at most 1.01.  w is at most sqrt(3) 2^59 long, so are its
  * products; t / 2^e is held below 2^(58 - e). */
 static ocel_status_t cross_rays(const line_t *left, const line_t *right, crossing_t *c) {
-    const line_t *const others[2] = {right, left};
     ocel_status_t status = OCEL_DEGENERATE;
     int64_t w_q30[3];
     int64_t square_q60;
@@ -101,24 +118,14 @@ static ocel_status_t cross_rays(const line_t *left, const line_t *right, crossin
     }
     square_q60 = dot(c->half_q60, c->half_q60);
     if (square_q60 >= (LEAST_SQUARE_Q60 / 4)) {
-        status = OCEL_OK;
         ocel_rsqrt_q60((uint64_t)square_q60, &c->y_q60, &c->e);
         for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
             c->normal_q60[i] = 2 * ocel_mul_q60(ocel_scale_q60(c->half_q60[i], c->e - 1), c->y_q60);
         }
         c->gap_q30 = dot(w_q30, c->normal_q60);
-        for (uint32_t i = 0U; i < 2U; i++) { /* bound: two eyes */
-            int64_t moment_q30[3];
-            int64_t reach_q30; /* t / 2^(e - 1) */
-
-            cross(w_q30, others[i]->d_q60, moment_q30);
-            reach_q30 = ocel_mul_q60(dot(moment_q30, c->normal_q60), c->y_q60);
-            if (reach_q30 < ocel_scale_q60(1, 59 - c->e)) {
-                c->t_q30[i] = ocel_scale_q60(reach_q30, c->e - 1);
-                status = (c->t_q30[i] < ONE_Q30) ? OCEL_DEGENERATE : status;
-            } else {
-                status = OCEL_OUT_OF_RANGE;
-            }
+        status = reach(w_q30, right, c, &c->t_q30[OCEL_LEFT]);
+        if (status == OCEL_OK) {
+            status = reach(w_q30, left, c, &c->t_q30[OCEL_RIGHT]);
         }
     }
     return status;
@@ -227,7 +234,7 @@ static ocel_status_t place_fractions(const fractions_t *f, int32_t baseline_u,
             p_u[i] = ocel_scale_q60(ocel_mul_q60(wide(baseline_u), half_q60), e - 30);
         }
         status = OCEL_OUT_OF_RANGE;
-        if ((ocel_abs64(p_u[0]) | (uint64_t)p_u[1]) < (uint64_t)OCEL_MAX_POSITION_U) {
+        if ((ocel_abs64(p_u[0]) | (uint64_t)p_u[1]) < OCEL_MAX_POSITION_U) {
             p_middle_u[0] = (int32_t)p_u[0];
             p_middle_u[2] = (int32_t)p_u[1];
             status = OCEL_OK;
@@ -358,7 +365,8 @@ static ocel_status_t place_by_radius(const ocel_cone_t *cone, const ocel_pose_t 
     ocel_status_t status = ocel_sphere_of_cone(cone, radius_u, &sphere);
 
     if (status == OCEL_OK) {
-        const int64_t square_u2 = (int64_t)((uint64_t)sphere.range_u * sphere.range_u);
+        const int64_t range_u = (int64_t)sphere.range_u;
+        const int64_t square_u2 = range_u * range_u;
         int64_t along_q60[3];
 
         times(sight->cov_q60, sight->line.d_q60, along_q60);
@@ -400,7 +408,7 @@ static void lever(const line_t *own, const line_t *other, int64_t sign, const cr
  * so 2^52 u^2: otherwise the rays say nothing of the range (false). */
 static bool spread_of_midpoint(const sight_t sights[OCEL_EYE_COUNT], const crossing_t *c,
                                int64_t cov_root_u2[OCEL_SYM3_COUNT]) {
-    const int32_t lead = (int32_t)ocel_clz64((uint64_t)(c->t_q30[0] | c->t_q30[1]));
+    const int32_t lead = (int32_t)ocel_clz64((uint64_t)c->t_q30[0] | (uint64_t)c->t_q30[1]);
     const int64_t factor_q60 = ocel_mul_q60(c->y_q60, c->y_q60);
     int64_t sum[OCEL_SYM3_COUNT] = {0, 0, 0, 0, 0, 0};
     uint64_t size = 0U;
@@ -424,32 +432,48 @@ static bool spread_of_midpoint(const sight_t sights[OCEL_EYE_COUNT], const cross
     return known;
 }
 
+/* p += g off, C -= g (C d)^T with g = C d / s.
+ *
+ * Elements of C are at most 2^52, components of C d at most the trace; s and the trace are
+ * brought to below 2^60 together, one of them to 2^59 or more, so for e <= 4 g is at most
+ * trace / s <= 2^5, 2^61 in Q56.  (For a larger e the directions know the range far better
+ * than the radius, and nothing is added.)  What is off is within 5 sigmas and a 32nd, so the
+ * step is below 5 * 2^26.5 + 2^5 * 2^28 / 32 < 2^30; the sum wraps for what is no covariance. */
+static void kalman_step(const int64_t cd[3], int64_t s, int64_t off_u, ocel_estimate_t *estimate) {
+    int64_t *cov = estimate->cov_root_u2;
+    const int32_t up = (int32_t)ocel_clz64((uint64_t)s | (uint64_t)trace(cov)) - 4;
+    int64_t y_q60;
+    int32_t e;
+
+    ocel_recip_q60((uint64_t)ocel_scale_q60(s, up), &y_q60, &e);
+    for (uint32_t i = 0U; (i < 3U) && (e <= 4); i++) { /* bound: 3 axes */
+        const int64_t g_q56 = ocel_scale_q60(ocel_mul_q60(ocel_scale_q60(cd[i], up), y_q60), e - 4);
+        const int64_t step_q21 = ocel_mul_q60(g_q56, ocel_shl64(off_u, 25U));
+
+        estimate->p_root_u[i] = (int32_t)((uint32_t)estimate->p_root_u[i] +
+                                          (uint32_t)ocel_shift_round64(step_q21, 21U));
+        for (uint32_t j = i; j < 3U; j++) { /* bound: 3 axes */
+            cov[AT[i][j]] -= ocel_mul_q60(g_q56, ocel_shl64(cd[j], 4U));
+        }
+    }
+}
+
 /* Adds an eye's range by the radius to an estimate by directions: one Kalman step with a
  * scalar, for the range and the directions of a cone have little in common (nothing, when
- * the whole outline is seen).  False, and the estimate as it was, when the two disagree.
- *
- * With g = C d / s and s = d C d + variance: p += g (range - d (p - eye)), C -= g (C d)^T.
- * Elements of C are at most 2^52.  No component of C d exceeds the trace of a covariance (one
- * that does is refused); s and the trace are brought to below 2^60 together, one of them to
- * 2^59 or more, so for e <= 4 g is at most trace / s <= 2^5, 2^61 in Q56.  (For a larger e the
- * directions know the range far better than this, and nothing is added.)  The disagreement is
- * bounded by OCEL_DISAGREE_SIGMAS, so a step is below 5 * 2^26.5 + 2^5 * 2^28 / 32 < 2^30;
- * the position's sum wraps for what is no covariance. */
+ * the whole outline is seen).  False, and the estimate as it was, when the two disagree, or
+ * when a component of C d exceeds the trace, as none of a covariance does.  C's elements are
+ * at most 2^52, so s = d C d + variance fits. */
 static bool add_range(const sight_t *sight, ocel_estimate_t *estimate) {
     const int64_t *d_q60 = sight->line.d_q60;
-    int64_t *cov = estimate->cov_root_u2;
-    const uint64_t size = (uint64_t)trace(cov);
-    uint64_t limit_u;
+    const uint64_t size = (uint64_t)trace(estimate->cov_root_u2);
+    bool agree = true;
     int64_t away_q30[3];
     int64_t cd[3];
+    uint64_t limit_u;
     int64_t off_u;
     int64_t s;
-    int64_t y_q60;
-    int32_t up;
-    int32_t e;
-    bool agree = true;
 
-    times(cov, d_q60, cd);
+    times(estimate->cov_root_u2, d_q60, cd);
     s = dot(cd, d_q60) + sight->variance_u2;
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
         away_q30[i] = wide(estimate->p_root_u[i]) - sight->line.p_q30[i];
@@ -459,66 +483,64 @@ static bool add_range(const sight_t *sight, ocel_estimate_t *estimate) {
     limit_u = ((uint64_t)OCEL_DISAGREE_SIGMAS * ocel_isqrt64((uint64_t)s)) +
               (sight->range_u >> OCEL_DISAGREE_SHIFT);
     agree = agree && (ocel_abs64(off_u) <= limit_u);
-    up = (int32_t)ocel_clz64((uint64_t)s | size) - 4;
-    ocel_recip_q60((uint64_t)ocel_scale_q60(s, up), &y_q60, &e);
-    if (agree && (e <= 4)) {
-        for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-            const int64_t g_q56 =
-                ocel_scale_q60(ocel_mul_q60(ocel_scale_q60(cd[i], up), y_q60), e - 4);
-            const int64_t step_q21 = ocel_mul_q60(g_q56, ocel_shl64(off_u, 25U));
-
-            estimate->p_root_u[i] = (int32_t)((uint32_t)estimate->p_root_u[i] +
-                                              (uint32_t)ocel_shift_round64(step_q21, 21U));
-            for (uint32_t j = i; j < 3U; j++) { /* bound: 3 axes */
-                cov[AT[i][j]] -= ocel_mul_q60(g_q56, ocel_shl64(cd[j], 4U));
-            }
-        }
+    if (agree) {
+        kalman_step(cd, s, off_u, estimate);
     }
     return agree;
 }
 
 /* The directions' part: false when the rays do not meet. */
-static bool place_by_stereo(const sight_t sights[OCEL_EYE_COUNT], ocel_ball_t *ball) {
+static bool place_by_stereo(const sight_t sights[OCEL_EYE_COUNT], ocel_ball_t *result) {
     const sight_t *const left = &sights[OCEL_LEFT];
     const sight_t *const right = &sights[OCEL_RIGHT];
     crossing_t c;
     bool meet = cross_rays(&left->line, &right->line, &c) == OCEL_OK;
 
-    if (meet && spread_of_midpoint(sights, &c, ball->stereo.cov_root_u2)) {
+    if (meet && spread_of_midpoint(sights, &c, result->stereo.cov_root_u2)) {
         const int64_t radii_q30 = ocel_mul_q60(c.t_q30[OCEL_LEFT], left->sin_q60) +
                                   ocel_mul_q60(c.t_q30[OCEL_RIGHT], right->sin_q60);
 
-        ball->has_stereo = true;
-        ball->radius_u = (uint32_t)ocel_shift_round64(radii_q30, 31U);
-        ball->gap_u = between(&left->line, &right->line, &c, ball->stereo.p_root_u);
-        meet = ball->gap_u <= (uint32_t)ocel_asr64(c.t_q30[OCEL_LEFT], 30U + OCEL_DISAGREE_SHIFT);
+        result->has_stereo = true;
+        result->radius_u = (uint32_t)ocel_shift_round64(radii_q30, 31U);
+        result->gap_u = between(&left->line, &right->line, &c, result->stereo.p_root_u);
+        meet = result->gap_u <= (uint32_t)ocel_asr64(c.t_q30[OCEL_LEFT], 30U + OCEL_DISAGREE_SHIFT);
     }
     return meet;
 }
 
 /* What to believe.  Rays that miss each other discredit stereo; rays that meet vouch for
  * the eyes' poses, and a radius that denies their range is another ball's. */
-static ocel_status_t judge(const sight_t sights[OCEL_EYE_COUNT], bool meet, ocel_ball_t *ball) {
-    const bool trusted = meet && ball->has_stereo;
+static ocel_status_t judge(const sight_t sights[OCEL_EYE_COUNT], bool meet, ocel_ball_t *result) {
+    const bool trusted = meet && result->has_stereo;
     ocel_status_t status = OCEL_OK;
 
-    ball->disagree = !meet;
-    ball->best = ball->stereo;
-    if (ball->has_radius && !trusted) {
-        ball->best = ball->by_radius;
-    } else if (ball->has_radius && !(add_range(&sights[OCEL_LEFT], &ball->best) &&
-                                     add_range(&sights[OCEL_RIGHT], &ball->best))) {
-        ball->best = ball->stereo;
-        ball->disagree = true;
+    result->disagree = !meet;
+    result->best = result->stereo;
+    if (result->has_radius && !trusted) {
+        result->best = result->by_radius;
+    } else if (result->has_radius && !(add_range(&sights[OCEL_LEFT], &result->best) &&
+                                       add_range(&sights[OCEL_RIGHT], &result->best))) {
+        result->best = result->stereo;
+        result->disagree = true;
     } else {
         /* the directions alone, or both ranges added */
     }
-    if (!ball->has_stereo && !ball->has_radius) {
+    if (!result->has_stereo && !result->has_radius) {
         status = OCEL_DEGENERATE;
-    } else if (ball->disagree) {
+    } else if (result->disagree) {
         status = OCEL_PARTIAL;
     } else {
         /* vouched for */
+    }
+    return status;
+}
+
+static ocel_status_t see(const ocel_cone_t *cone, const ocel_pose_t *X_root_eye, int32_t radius_u,
+                         sight_t *sight, ocel_estimate_t *estimate) {
+    ocel_status_t status = look(cone, X_root_eye, sight) ? OCEL_OK : OCEL_OUT_OF_RANGE;
+
+    if ((status == OCEL_OK) && (radius_u > 0)) {
+        status = place_by_radius(cone, X_root_eye, radius_u, sight, estimate);
     }
     return status;
 }
@@ -528,52 +550,46 @@ static ocel_status_t judge(const sight_t sights[OCEL_EYE_COUNT], bool meet, ocel
  * `best` takes both ranges anyway. */
 static ocel_status_t place_ball(const ocel_cone_t *const cones[OCEL_EYE_COUNT],
                                 const ocel_pose_t X_root_eye[OCEL_EYE_COUNT], int32_t radius_u,
-                                ocel_ball_t *ball) {
+                                ocel_ball_t *result) {
     ocel_status_t status = (radius_u < 0) ? OCEL_OUT_OF_RANGE : OCEL_OK;
     int64_t least_u2 = INT64_MAX;
-    bool meet = true;
     sight_t sights[OCEL_EYE_COUNT];
 
     (void)memset(sights, 0, sizeof(sights));
-    ball->has_radius = radius_u > 0;
+    result->has_radius = radius_u > 0;
     for (uint32_t i = 0U; i < 2U; i++) { /* bound: two eyes */
         if ((status == OCEL_OK) && (cones[i] != NULL)) {
-            status = look(cones[i], &X_root_eye[i], &sights[i]) ? OCEL_OK : OCEL_OUT_OF_RANGE;
-            if ((status == OCEL_OK) && ball->has_radius) {
-                status =
-                    place_by_radius(cones[i], &X_root_eye[i], radius_u, &sights[i], &ball->best);
-                if (sights[i].variance_u2 < least_u2) {
-                    least_u2 = sights[i].variance_u2;
-                    ball->by_radius = ball->best;
-                }
+            status = see(cones[i], &X_root_eye[i], radius_u, &sights[i], &result->best);
+            if (result->has_radius && (sights[i].variance_u2 < least_u2)) {
+                least_u2 = sights[i].variance_u2;
+                result->by_radius = result->best;
             }
         }
     }
     if (status == OCEL_OK) {
-        if ((cones[OCEL_LEFT] != NULL) && (cones[OCEL_RIGHT] != NULL)) {
-            meet = place_by_stereo(sights, ball);
-        }
-        status = judge(sights, meet, ball);
+        const bool both = (cones[OCEL_LEFT] != NULL) && (cones[OCEL_RIGHT] != NULL);
+
+        status = judge(sights, !both || place_by_stereo(sights, result), result);
     }
     return status;
 }
 
 ocel_status_t ocel_stereo_ball(const ocel_cone_t *cone_left, const ocel_cone_t *cone_right,
                                const ocel_pose_t X_root_eye[OCEL_EYE_COUNT], int32_t radius_u,
-                               ocel_ball_t *ball) {
+                               ocel_ball_t *result) {
     const ocel_cone_t *const cones[OCEL_EYE_COUNT] = {cone_left, cone_right};
     ocel_status_t status = OCEL_NULL_ARGUMENT;
 
-    if (ball != NULL) {
-        (void)memset(ball, 0, sizeof(*ball));
+    if (result != NULL) {
+        (void)memset(result, 0, sizeof(*result));
     }
-    if ((ball != NULL) && (X_root_eye != NULL)) {
+    if ((result != NULL) && (X_root_eye != NULL)) {
         status = OCEL_NOT_SEEN;
         if ((cone_left != NULL) || (cone_right != NULL)) {
-            status = place_ball(cones, X_root_eye, radius_u, ball);
+            status = place_ball(cones, X_root_eye, radius_u, result);
         }
         if ((status != OCEL_OK) && (status != OCEL_PARTIAL)) {
-            (void)memset(ball, 0, sizeof(*ball));
+            (void)memset(result, 0, sizeof(*result));
         }
     }
     return status;

@@ -25,8 +25,8 @@
 #include <ocellus/config.h>
 #include <ocellus/eye.h>
 #include <ocellus/fit.h>
-#include <ocellus/head.h>
 #include <ocellus/gaze.h>
+#include <ocellus/head.h>
 #include <ocellus/label.h>
 #include <ocellus/space.h>
 #include <ocellus/sphere.h>

@@ -20,7 +20,7 @@ extern "C" {
 
 /* How far stereo reaches, and how far on each axis the eyes may be from their frame's
  * origin: 268 m in micrometres. */
-#define OCEL_MAX_STEREO_U ((int32_t)1 << 28)
+#define OCEL_MAX_STEREO_U 0x10000000 /* 2^28 */
 
 /* Where two rays come closest to each other. */
 typedef struct {
@@ -94,7 +94,7 @@ typedef struct {
  *   cone_left, cone_right  null for an eye that does not see it
  *   X_root_eye             left, right, as ocel_head_forward gives them
  *   radius_u               of the ball; 0: not known
- *   ball                   out; zero unless OCEL_OK or OCEL_PARTIAL.
+ *   result                 out; zero unless OCEL_OK or OCEL_PARTIAL.
  * OCEL_OK             both eyes and, if a radius is given, both ranges agree; or one eye
  *                     and a radius (has_stereo is false then)
  * OCEL_PARTIAL        both eyes see something, but it is not vouched for that it is one ball
@@ -106,10 +106,10 @@ typedef struct {
  *                     (as ocel_stereo_midpoint, or a deviation of over a quarter of it)
  * OCEL_OUT_OF_RANGE   radius_u < 0, what ocel_stereo_midpoint and ocel_sphere_of_cone refuse,
  *                     a cone with a deviation of over half its range
- * OCEL_NULL_ARGUMENT  X_root_eye or ball is null */
+ * OCEL_NULL_ARGUMENT  X_root_eye or result is null */
 ocel_status_t ocel_stereo_ball(const ocel_cone_t *cone_left, const ocel_cone_t *cone_right,
                                const ocel_pose_t X_root_eye[OCEL_EYE_COUNT], int32_t radius_u,
-                               ocel_ball_t *ball);
+                               ocel_ball_t *result);
 
 #ifdef __cplusplus
 }
