@@ -95,17 +95,18 @@ typedef struct {
  *   X_root_eye             left, right, as ocel_head_forward gives them
  *   radius_u               of the ball; 0: not known
  *   result                 out; zero unless OCEL_OK or OCEL_PARTIAL.
- * OCEL_OK             both eyes and, if a radius is given, both ranges agree; or one eye
- *                     and a radius (has_stereo is false then)
+ * OCEL_OK             both eyes and, if a radius is given, both ranges agree; or a radius and
+ *                     one eye, or two whose directions leave over a quarter of the range
+ *                     open (has_stereo is false then, and `best` is by_radius)
  * OCEL_PARTIAL        both eyes see something, but it is not vouched for that it is one ball
  *                     of this radius (disagree): the rays miss each other, or do not meet in
  *                     front, and `best` is by_radius where there is a radius; or the rays
  *                     meet where the radius denies it, and `best` is stereo
  * OCEL_NOT_SEEN       both cones are null
- * OCEL_DEGENERATE     no radius, and one eye only or two whose rays say nothing of the range
- *                     (as ocel_stereo_midpoint, or a deviation of over a quarter of it)
- * OCEL_OUT_OF_RANGE   radius_u < 0, what ocel_stereo_midpoint and ocel_sphere_of_cone refuse,
- *                     a cone with a deviation of over half its range
+ * OCEL_DEGENERATE     no radius, and no stereo
+ * OCEL_OUT_OF_RANGE   radius_u < 0, an axis or an eye's position that ocel_stereo_midpoint
+ *                     refuses, what ocel_sphere_of_cone refuses, a cone with a deviation of
+ *                     over half its range
  * OCEL_NULL_ARGUMENT  X_root_eye or result is null */
 ocel_status_t ocel_stereo_ball(const ocel_cone_t *cone_left, const ocel_cone_t *cone_right,
                                const ocel_pose_t X_root_eye[OCEL_EYE_COUNT], int32_t radius_u,
