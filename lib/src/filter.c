@@ -8,8 +8,8 @@
 #include "seconds.h"
 
 /* Limits of the state: 2^30 u in Q16, and a deviation of 2^26 u in Q6. */
-#define P_LIMIT_Q16 ((int64_t)1 << 46U)
-#define VARIANCE_LIMIT_Q6 ((int64_t)1 << 58U)
+#define P_LIMIT_Q16 0x400000000000
+#define VARIANCE_LIMIT_Q6 0x400000000000000
 
 /* Factors, of time and of gain, are Q47: a gain of velocity, up to 2^13 / s, then
  * fits 2^60. */
@@ -19,12 +19,12 @@
 enum { PP = 0, PV, VP, VV, BLOCK };
 
 /* Row and column of a symmetric matrix's entries, and where its diagonal is. */
-static const uint8_t row_of[OCEL_SYM3_COUNT] = {0U, 0U, 0U, 1U, 1U, 2U};
-static const uint8_t column_of[OCEL_SYM3_COUNT] = {0U, 1U, 2U, 1U, 2U, 2U};
+static const uint8_t first_axis[OCEL_SYM3_COUNT] = {0U, 0U, 0U, 1U, 1U, 2U};
+static const uint8_t second_axis[OCEL_SYM3_COUNT] = {0U, 1U, 2U, 1U, 2U, 2U};
 static const uint8_t diagonal[3] = {OCEL_XX, OCEL_YY, OCEL_ZZ};
 
 static int64_t square_q6(int32_t v) {
-    return ((int64_t)v * v) << 6U;
+    return (int64_t)v * v * 64;
 }
 
 /* The block of two axes when along each the state's `to` (0: position, 1: velocity)
@@ -76,7 +76,8 @@ void ocel_filter_start(ocel_filter_t *filter, const ocel_tracker_config_t *confi
     (void)memcpy(filter->p_u_q16, fix->p_u_q16, sizeof(filter->p_u_q16));
     for (uint32_t entry = 0U; entry < (uint32_t)OCEL_SYM3_COUNT; entry++) { /* bound: 6 */
         filter->cov_q6[entry][PP] = fix->cov_q6[entry];
-        filter->cov_q6[entry][VV] = (row_of[entry] == column_of[entry]) ? square_q6(speed_u_s) : 0;
+        filter->cov_q6[entry][VV] =
+            (first_axis[entry] == second_axis[entry]) ? square_q6(speed_u_s) : 0;
     }
 }
 
@@ -93,7 +94,7 @@ void ocel_filter_advance(ocel_filter_t *filter, const ocel_tracker_config_t *con
 
     for (uint32_t entry = 0U; entry < (uint32_t)OCEL_SYM3_COUNT; entry++) { /* bound: 6 */
         int64_t *const block = filter->cov_q6[entry];
-        const int64_t q = (row_of[entry] == column_of[entry]) ? wander_q6 : 0;
+        const int64_t q = (first_axis[entry] == second_axis[entry]) ? wander_q6 : 0;
 
         ocel_add_product(&block[VV], q, half_q47);
         mix(block, 0U, 1U, t_q47, t_q47);
@@ -160,8 +161,8 @@ void ocel_filter_correct(ocel_filter_t *filter, const ocel_tracker_config_t *con
         ocel_add_product(&filter->v_u_s_q16[i], error, gains_q47[i][1]);
     }
     for (uint32_t entry = 0U; entry < (uint32_t)OCEL_SYM3_COUNT; entry++) { /* bound: 6 */
-        correct_block(filter->cov_q6[entry], gains_q47[row_of[entry]], gains_q47[column_of[entry]],
-                      fix->cov_q6[entry]);
+        correct_block(filter->cov_q6[entry], gains_q47[first_axis[entry]],
+                      gains_q47[second_axis[entry]], fix->cov_q6[entry]);
     }
     limit_state(filter, config->max_speed_u_s);
 }

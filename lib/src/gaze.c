@@ -52,7 +52,7 @@ static ocel_status_t check_joint(const ocel_gaze_t *gaze, uint32_t joint) {
     return status;
 }
 
-static ocel_status_t check(const ocel_gaze_t *gaze) {
+static ocel_status_t check_config(const ocel_gaze_t *gaze) {
     const ocel_gaze_config_t *const config = &gaze->config;
     ocel_status_t status = OCEL_OK;
 
@@ -82,7 +82,7 @@ ocel_status_t ocel_gaze_init(ocel_gaze_t *gaze, const ocel_head_model_t *model,
         gaze->max_pan_q32 = model->max_pan_q32;
         (void)memcpy(gaze->min_q32, model->min_q32, sizeof(gaze->min_q32));
         (void)memcpy(gaze->max_q32, model->max_q32, sizeof(gaze->max_q32));
-        status = check(gaze);
+        status = check_config(gaze);
         gaze->ready = status == OCEL_OK;
     }
     return status;
@@ -124,8 +124,8 @@ static int64_t reach_q32(int64_t room_q32, int64_t a_q24, int64_t change_q32, ui
     int64_t reach = 0;
 
     if (room_q32 > 0) {
-        const uint64_t root_q28 = ocel_isqrt64(2U * (uint64_t)a_q24 * (uint64_t)room_q32);
-        const int64_t braked = (int64_t)(root_q28 << 4U) - (ocel_asr64(change_q32, 1U) + 1);
+        const uint32_t root_q28 = ocel_isqrt64(2U * (uint64_t)a_q24 * (uint64_t)room_q32);
+        const int64_t braked = ((int64_t)root_q28 * 16) - (ocel_asr64(change_q32, 1U) + 1);
 
         reach = (int64_t)ocel_udiv64((uint64_t)room_q32 * US_PER_S, command_us);
         reach = (reach < change_q32) ? reach : change_q32;

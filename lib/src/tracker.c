@@ -7,31 +7,31 @@
 #include "filter.h"
 #include "int_math.h"
 
-#define SPEED_MAX_U_S ((int32_t)1 << 26U)
-#define LENGTH_MAX_U ((int32_t)1 << 26U)
-#define ACCELERATION_MAX_U_S2 ((int32_t)1 << 27U)
-#define POSITION_MAX_U ((int32_t)1 << 30U)
+#define SPEED_MAX_U_S 0x4000000
+#define LENGTH_MAX_U 0x4000000
+#define ACCELERATION_MAX_U_S2 0x8000000
+#define POSITION_MAX_U 0x40000000
 #define COVARIANCE_MAX_U2 ((uint64_t)1U << 52U)
 
 #define COAST_MAX_US 4000000U
 #define US_PER_S 1000000
 
-static bool is_within(int32_t v, int32_t lo, int32_t hi) {
+static bool is_in_range(int32_t v, int32_t lo, int32_t hi) {
     return (v >= lo) && (v <= hi);
 }
 
 static bool is_config_valid(const ocel_tracker_config_t *config) {
-    const int64_t reach_u_us = (int64_t)config->max_speed_u_s * config->coast_us;
+    const int64_t reach_u_us = (int64_t)config->max_speed_u_s * (int64_t)config->coast_us;
     bool valid = (config->coast_us > 0U) && (config->coast_us <= COAST_MAX_US) &&
-                 is_within(config->max_speed_u_s, 1, SPEED_MAX_U_S) &&
+                 is_in_range(config->max_speed_u_s, 1, SPEED_MAX_U_S) &&
                  (reach_u_us <= ((int64_t)LENGTH_MAX_U * US_PER_S)) &&
-                 is_within(config->wander_u_s, 0, config->max_speed_u_s) &&
+                 is_in_range(config->wander_u_s, 0, config->max_speed_u_s) &&
                  (config->gate_q16 >= 65536U) && (config->gate_q16 <= (16U * 65536U)) &&
-                 is_within(config->gate_floor_u, 0, LENGTH_MAX_U);
+                 is_in_range(config->gate_floor_u, 0, LENGTH_MAX_U);
 
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-        valid = valid && is_within(config->acceleration_root_u_s2[i], -ACCELERATION_MAX_U_S2,
-                                   ACCELERATION_MAX_U_S2);
+        valid = valid && is_in_range(config->acceleration_root_u_s2[i], -ACCELERATION_MAX_U_S2,
+                                     ACCELERATION_MAX_U_S2);
     }
     return valid;
 }
@@ -41,7 +41,7 @@ static bool is_measurement_valid(const ocel_estimate_t *measurement) {
     bool valid = (cov[OCEL_XX] >= 0) && (cov[OCEL_YY] >= 0) && (cov[OCEL_ZZ] >= 0);
 
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-        valid = valid && is_within(measurement->p_root_u[i], -POSITION_MAX_U, POSITION_MAX_U);
+        valid = valid && is_in_range(measurement->p_root_u[i], -POSITION_MAX_U, POSITION_MAX_U);
     }
     for (uint32_t i = 0U; i < (uint32_t)OCEL_SYM3_COUNT; i++) { /* bound: 6 */
         valid = valid && (ocel_abs64(cov[i]) <= COVARIANCE_MAX_U2);
@@ -103,8 +103,8 @@ static bool restarts(ocel_tracker_t *tracker, uint32_t dt_us, const ocel_fix_t *
 }
 
 /* Takes or refuses the measurement of a frame. */
-static ocel_status_t judge(ocel_tracker_t *tracker, uint32_t dt_us,
-                           const ocel_estimate_t *measurement) {
+static ocel_status_t take_or_refuse(ocel_tracker_t *tracker, uint32_t dt_us,
+                                    const ocel_estimate_t *measurement) {
     const ocel_tracker_config_t *const config = &tracker->config;
     bool taken = true;
     ocel_fix_t fix;
@@ -167,7 +167,7 @@ ocel_status_t ocel_tracker_update(ocel_tracker_t *tracker, int64_t time_us,
         const uint32_t dt_us = go_on(tracker, time_us);
 
         if (measurement != NULL) {
-            status = judge(tracker, dt_us, measurement);
+            status = take_or_refuse(tracker, dt_us, measurement);
         }
         if ((status != OCEL_OK) && (tracker->state == OCEL_TRACK_SEEN)) {
             tracker->state = OCEL_TRACK_GUESSED;

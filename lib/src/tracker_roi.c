@@ -6,7 +6,7 @@
 
 #include "int_math.h"
 
-#define RADIUS_MAX_U ((int32_t)1 << 30U)
+#define RADIUS_MAX_U 0x40000000
 
 /* A cube's corners. */
 #define CORNERS 8U
@@ -40,7 +40,7 @@ static uint32_t spread_u(const ocel_track_t *track) {
     trace += (uint64_t)track->cov_root_u2[OCEL_XX];
     trace += (uint64_t)track->cov_root_u2[OCEL_YY];
     trace += (uint64_t)track->cov_root_u2[OCEL_ZZ];
-    return OCEL_ROI_SIGMAS * ocel_isqrt64(trace);
+    return (uint32_t)OCEL_ROI_SIGMAS * ocel_isqrt64(trace);
 }
 
 static void include(extent_t *extent, const ocel_point_t *pixel) {

@@ -13,6 +13,7 @@
 
 #include "board.h"
 #include "rng.h"
+#include "seconds.h"
 #include "unity.h"
 
 enum { SEED = 20111124, FRAME_US = 33333 };
@@ -42,6 +43,42 @@ static ocel_estimate_t at(int32_t x, int32_t y, int32_t z, int32_t sigma_u) {
     const int64_t v = (int64_t)sigma_u * sigma_u;
     const ocel_estimate_t m = {{x, y, z}, {v, 0, 0, v, 0, v}};
     return m;
+}
+
+/* ---- The product that everything here is made of ---- */
+
+static int64_t any_wide(void) {
+    const int64_t size = (int64_t)(rng_u64(&rng) >> (3U + rng_below(&rng, 61U)));
+    return ((rng_u32(&rng) & 1U) != 0U) ? -size : size;
+}
+
+static void products_saturate(void) {
+    for (int k = 0; k < TEST_TRIALS(200000); k++) {
+        const int64_t a = any_wide();
+        const int64_t b = any_wide();
+        const int32_t e = -rng_between(&rng, 0, 120);
+        const int64_t sum = ocel_clamp64(any_wide(), (int64_t)1 << 60);
+        const double scale = ldexp(1.0, e);
+        const double wanted = (double)a * (double)b * scale;
+        const double error = 0.51 + 2.0 * fabs((double)a) * scale + ldexp(fabs(wanted), -48);
+        const double got = (double)ocel_times(a, b, e);
+        int64_t total = sum;
+        if (fabs(wanted) < ldexp(1.0, 60)) {
+            TEST_ASSERT_TRUE(fabs(got - wanted) <= error);
+        } else {
+            TEST_ASSERT_TRUE(fabs(got) >= ldexp(1.0, 60) - error);
+            TEST_ASSERT_TRUE((got > 0.0) == (wanted > 0.0));
+        }
+        TEST_ASSERT_TRUE(fabs(got) <= ldexp(1.0, 60));
+        ocel_add_product(&total, a, b);
+        TEST_ASSERT_EQUAL_INT64(ocel_clamp64(sum + ocel_times(a, b, -47), (int64_t)1 << 60), total);
+    }
+    TEST_ASSERT_EQUAL_INT64(0, ocel_times(0, INT64_MAX / 8, 0));
+    TEST_ASSERT_EQUAL_INT64((int64_t)1 << 60, ocel_times((int64_t)1 << 60, (int64_t)1 << 60, 0));
+    TEST_ASSERT_EQUAL_INT64(-5, ocel_clamp64(-9, 5));
+    TEST_ASSERT_EQUAL_INT64(5, ocel_clamp64(9, 5));
+    TEST_ASSERT_EQUAL_INT64(-3, ocel_clamp64(-3, 5));
+    TEST_ASSERT_DOUBLE_WITHIN(3e-9, 1.0, (double)ocel_seconds_q47(1000000U) / ldexp(1.0, 47));
 }
 
 /* ---- The reference: the same filter in double, with 6x6 matrices ---- */
@@ -781,6 +818,7 @@ static void what_is_not_in_view_has_no_region(void) {
 int main(void) {
     printf("seed %d\n", SEED);
     UNITY_BEGIN();
+    RUN_TEST(products_saturate);
     RUN_TEST(agrees_with_double_precision);
     RUN_TEST(follows_a_straight_line);
     RUN_TEST(hidden_is_guessed_then_lost);
