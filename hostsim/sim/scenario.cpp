@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "scenario.hpp"
+
+#include <fstream>
+
+#include "colour_spec.hpp"
+#include "error.hpp"
+#include "toml_reader.hpp"
+
+namespace sim {
+
+namespace {
+
+constexpr double kFarthest = 20.0; // SMU: what a scenario may ask for
+
+void read_sweep(TomlReader reader, Scenario &scenario) {
+    scenario.trials = reader.integer("trials", 1, 1000000, "trials at each point");
+    scenario.varied = static_cast<Varied>(reader.choice("varied", {"distance", "occlusion"}));
+    const bool distances = scenario.varied == Varied::kDistance;
+    scenario.points = reader.numbers("points", distances ? 0.3 : 0.0, distances ? kFarthest : 0.95,
+                                     distances ? "SMU" : "of the target's area");
+    scenario.distance = distances ? 0.0 : reader.number("distance", 0.3, kFarthest, "SMU");
+    scenario.occlusion =
+        distances ? reader.number("occlusion", 0.0, 0.95, "of the target's area") : 0.0;
+    scenario.jitter = reader.number("jitter", 0.0, 1.0, "times the distance");
+    reader.finish();
+}
+
+void read_camera(TomlReader reader, CameraChoice &camera) {
+    constexpr int kWidths[] = {160, 320, 640};
+    constexpr int kSupersamplings[] = {1, 2, 4};
+    const std::vector<std::string> presets = preset_names();
+    const int preset = reader.choice("preset", presets);
+    const int size = reader.choice("size", {"160x120", "320x240", "640x480"});
+    const int quality = reader.choice("supersampling", {"1x1", "2x2", "4x4"});
+    camera.intrinsics = make_intrinsics(presets[static_cast<std::size_t>(preset)], kWidths[size]);
+    camera.supersampling = kSupersamplings[quality];
+    camera.noise = reader.number("noise", 0.0, 64.0, "levels of 255");
+    reader.finish();
+}
+
+Vec3 colour_of(TomlReader &reader, const char *key) {
+    const std::vector<double> values = reader.numbers(key, 0.0, 255.0, "");
+    if (values.size() != 3) {
+        reader.reject(key, "expected three numbers: red, green and blue, 0 .. 255");
+    }
+    return Vec3(values[0], values[1], values[2]) * (1.0 / 255.0);
+}
+
+void read_target(TomlReader reader, TargetChoice &target) {
+    target.shape = reader.choice("shape", {"ball", "disc"}) == 0 ? Shape::kBall : Shape::kDisc;
+    target.radius = reader.number("radius", 0.01, 2.0, "SMU");
+    target.thickness =
+        target.shape == Shape::kDisc ? reader.number("thickness", 0.0001, 1.0, "SMU") : 0.0;
+    target.colour = colour_of(reader, "colour");
+    reader.finish();
+}
+
+void read_scene(TomlReader reader, Scenario &scenario) {
+    scenario.background =
+        static_cast<Background>(reader.choice("background", {"plain", "textured", "cluttered"}));
+    scenario.lighting = static_cast<Lighting>(reader.choice("lighting", {"flat", "soft", "harsh"}));
+    reader.finish();
+}
+
+void read_gaze(TomlReader reader, Scenario &scenario) {
+    scenario.gaze = static_cast<Gaze>(reader.choice("mode", {"straight", "fixate"}));
+    if (scenario.gaze == Gaze::kFixate) {
+        scenario.gaze_tolerance = reader.number("tolerance", 0.01, 100.0, "px");
+        scenario.gaze_frames = reader.integer("frames", 1, 1000, "frames");
+    }
+    reader.finish();
+}
+
+void read_detector(TomlReader reader, Scenario &scenario) {
+    const std::string colour = reader.text("colour", cli::kColourGrammar);
+    try {
+        scenario.colour = cli::parse_colour(colour);
+    } catch (const cli::InputError &mistake) {
+        reader.reject("colour", mistake.what());
+    }
+    scenario.min_area = static_cast<std::uint32_t>(reader.integer("min_area", 1, 1000000, "px"));
+    for (const int method : reader.choices("methods", method_names())) {
+        scenario.methods.push_back(static_cast<Method>(method));
+    }
+    if (scenario.methods.size() > kMethodCount) {
+        reader.reject("methods", "found one twice; expected each method once");
+    }
+    reader.finish();
+}
+
+toml::table parse_file(const std::string &path) {
+    std::ifstream file(path);
+    if (!file) {
+        throw cli::InputError(path + ": cannot be read; expected a scenario file such as "
+                                     "hostsim/scenarios/c_distance.toml");
+    }
+    try {
+        return toml::parse(file, path);
+    } catch (const toml::parse_error &mistake) {
+        const toml::source_position place = mistake.source().begin;
+        throw cli::InputError(path + ":" + std::to_string(place.line) + ":" +
+                              std::to_string(place.column) +
+                              ": is no TOML: " + std::string(mistake.description()));
+    }
+}
+
+} // namespace
+
+Scenario read_scenario(const std::string &path) {
+    const toml::table table = parse_file(path);
+    TomlReader reader(table, path, "");
+    Scenario scenario{};
+    scenario.name = reader.text("name", "the scenario's name in quotes");
+    read_sweep(reader.table("sweep"), scenario);
+    read_camera(reader.table("camera"), scenario.camera);
+    read_target(reader.table("target"), scenario.target);
+    read_scene(reader.table("scene"), scenario);
+    read_gaze(reader.table("gaze"), scenario);
+    read_detector(reader.table("detector"), scenario);
+    reader.finish();
+    return scenario;
+}
+
+} // namespace sim
