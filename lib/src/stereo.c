@@ -154,10 +154,11 @@ ocel_status_t ocel_stereo_midpoint(const ocel_ray_t *ray_left, const ocel_ray_t 
         line_t left;
         line_t right;
         crossing_t c;
+        bool within;
 
         status = OCEL_OUT_OF_RANGE;
-        if (line_of(ray_left->p_u, ray_left->d_q30, &left) &&
-            line_of(ray_right->p_u, ray_right->d_q30, &right)) {
+        within = line_of(ray_left->p_u, ray_left->d_q30, &left);
+        if (line_of(ray_right->p_u, ray_right->d_q30, &right) && within) {
             status = cross_rays(&left, &right, &c);
         }
         if (status == OCEL_OK) {
@@ -306,10 +307,6 @@ static void add_sandwich(const matrix_t *a, const int64_t cov[OCEL_SYM3_COUNT],
     }
 }
 
-static int64_t trace(const int64_t cov[OCEL_SYM3_COUNT]) {
-    return cov[OCEL_XX] + cov[OCEL_YY] + cov[OCEL_ZZ];
-}
-
 /* cov factor 2^shift, rounded up on the diagonal. */
 static void scale_up(const int64_t cov[OCEL_SYM3_COUNT], int64_t factor_q60, int32_t shift,
                      int64_t out[OCEL_SYM3_COUNT]) {
@@ -345,7 +342,7 @@ static bool look(const ocel_cone_t *cone, const ocel_pose_t *X_root_eye, sight_t
                (cone->cov_q60[k] <= MOST_RELATIVE_Q60);
     }
     ocel_pose_direction(X_root_eye, cone->axis_cam_q30, axis_q30);
-    good = good && line_of(X_root_eye->p_u, axis_q30, &sight->line);
+    good = line_of(X_root_eye->p_u, axis_q30, &sight->line) && good;
     if (good) {
         for (uint32_t i = 0U; i < 3U; i++) {     /* bound: 3 axes */
             for (uint32_t j = 0U; j < 3U; j++) { /* bound: 3 axes */
@@ -411,6 +408,7 @@ static bool spread_of_midpoint(const sight_t sights[OCEL_EYE_COUNT], const cross
     const int32_t lead = (int32_t)ocel_clz64((uint64_t)c->t_q30[0] | (uint64_t)c->t_q30[1]);
     const int64_t factor_q60 = ocel_mul_q60(c->y_q60, c->y_q60);
     int64_t sum[OCEL_SYM3_COUNT] = {0, 0, 0, 0, 0, 0};
+    int64_t scaled[OCEL_SYM3_COUNT];
     uint64_t size = 0U;
     bool known;
 
@@ -418,9 +416,9 @@ static bool spread_of_midpoint(const sight_t sights[OCEL_EYE_COUNT], const cross
         const int64_t tau = ocel_scale_q60(c->t_q30[i], lead - 36);
         matrix_t m;
 
-        scale_up(sights[i].cov_q60, tau * tau, 0, cov_root_u2);
+        scale_up(sights[i].cov_q60, tau * tau, 0, scaled);
         lever(&sights[i].line, &sights[1U - i].line, (2 * (int64_t)i) - 1, c, &m);
-        add_sandwich(&m, cov_root_u2, sum);
+        add_sandwich(&m, scaled, sum);
     }
     for (uint32_t k = 0U; k < (uint32_t)OCEL_SYM3_COUNT; k++) { /* bound: 6 elements */
         size |= ocel_abs64(sum[k]);
@@ -432,16 +430,17 @@ static bool spread_of_midpoint(const sight_t sights[OCEL_EYE_COUNT], const cross
     return known;
 }
 
-/* p += g off, C -= g (C d)^T with g = C d / s.
+/* p += g off, C -= g (C d)^T with g = C d / s; size is the trace of C.
  *
  * Elements of C are at most 2^52, components of C d at most the trace; s and the trace are
  * brought to below 2^60 together, one of them to 2^59 or more, so for e <= 4 g is at most
  * trace / s <= 2^5, 2^61 in Q56.  (For a larger e the directions know the range far better
  * than the radius, and nothing is added.)  What is off is within 5 sigmas and a 32nd, so the
  * step is below 5 * 2^26.5 + 2^5 * 2^28 / 32 < 2^30; the sum wraps for what is no covariance. */
-static void kalman_step(const int64_t cd[3], int64_t s, int64_t off_u, ocel_estimate_t *estimate) {
+static void kalman_step(const int64_t cd[3], int64_t s, uint64_t size, int64_t off_u,
+                        ocel_estimate_t *estimate) {
     int64_t *cov = estimate->cov_root_u2;
-    const int32_t up = (int32_t)ocel_clz64((uint64_t)s | (uint64_t)trace(cov)) - 4;
+    const int32_t up = (int32_t)ocel_clz64((uint64_t)s | size) - 4;
     int64_t y_q60;
     int32_t e;
 
@@ -465,7 +464,8 @@ static void kalman_step(const int64_t cd[3], int64_t s, int64_t off_u, ocel_esti
  * at most 2^52, so s = d C d + variance fits. */
 static bool add_range(const sight_t *sight, ocel_estimate_t *estimate) {
     const int64_t *d_q60 = sight->line.d_q60;
-    const uint64_t size = (uint64_t)trace(estimate->cov_root_u2);
+    const int64_t *cov = estimate->cov_root_u2;
+    const uint64_t size = (uint64_t)cov[OCEL_XX] + (uint64_t)cov[OCEL_YY] + (uint64_t)cov[OCEL_ZZ];
     bool agree = true;
     int64_t away_q30[3];
     int64_t cd[3];
@@ -473,7 +473,7 @@ static bool add_range(const sight_t *sight, ocel_estimate_t *estimate) {
     int64_t off_u;
     int64_t s;
 
-    times(estimate->cov_root_u2, d_q60, cd);
+    times(cov, d_q60, cd);
     s = dot(cd, d_q60) + sight->variance_u2;
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
         away_q30[i] = wide(estimate->p_root_u[i]) - sight->line.p_q30[i];
@@ -484,7 +484,7 @@ static bool add_range(const sight_t *sight, ocel_estimate_t *estimate) {
               (sight->range_u >> OCEL_DISAGREE_SHIFT);
     agree = agree && (ocel_abs64(off_u) <= limit_u);
     if (agree) {
-        kalman_step(cd, s, off_u, estimate);
+        kalman_step(cd, s, size, off_u, estimate);
     }
     return agree;
 }
@@ -496,11 +496,13 @@ static bool place_by_stereo(const sight_t sights[OCEL_EYE_COUNT], ocel_ball_t *r
     crossing_t c;
     bool meet = cross_rays(&left->line, &right->line, &c) == OCEL_OK;
 
-    if (meet && spread_of_midpoint(sights, &c, result->stereo.cov_root_u2)) {
+    if (meet) {
+        result->has_stereo = spread_of_midpoint(sights, &c, result->stereo.cov_root_u2);
+    }
+    if (result->has_stereo) {
         const int64_t radii_q30 = ocel_mul_q60(c.t_q30[OCEL_LEFT], left->sin_q60) +
                                   ocel_mul_q60(c.t_q30[OCEL_RIGHT], right->sin_q60);
 
-        result->has_stereo = true;
         result->radius_u = (uint32_t)ocel_shift_round64(radii_q30, 31U);
         result->gap_u = between(&left->line, &right->line, &c, result->stereo.p_root_u);
         meet = result->gap_u <= (uint32_t)ocel_asr64(c.t_q30[OCEL_LEFT], 30U + OCEL_DISAGREE_SHIFT);
@@ -515,15 +517,14 @@ static ocel_status_t judge(const sight_t sights[OCEL_EYE_COUNT], bool meet, ocel
     ocel_status_t status = OCEL_OK;
 
     result->disagree = !meet;
-    result->best = result->stereo;
-    if (result->has_radius && !trusted) {
-        result->best = result->by_radius;
-    } else if (result->has_radius && !(add_range(&sights[OCEL_LEFT], &result->best) &&
-                                       add_range(&sights[OCEL_RIGHT], &result->best))) {
+    result->best = (result->has_radius && !trusted) ? result->by_radius : result->stereo;
+    for (uint32_t i = 0U; i < 2U; i++) { /* bound: two eyes */
+        if (result->has_radius && trusted && !result->disagree) {
+            result->disagree = !add_range(&sights[i], &result->best);
+        }
+    }
+    if (trusted && result->disagree) {
         result->best = result->stereo;
-        result->disagree = true;
-    } else {
-        /* the directions alone, or both ranges added */
     }
     if (!result->has_stereo && !result->has_radius) {
         status = OCEL_DEGENERATE;
@@ -567,9 +568,12 @@ static ocel_status_t place_ball(const ocel_cone_t *const cones[OCEL_EYE_COUNT],
         }
     }
     if (status == OCEL_OK) {
-        const bool both = (cones[OCEL_LEFT] != NULL) && (cones[OCEL_RIGHT] != NULL);
+        bool meet = true;
 
-        status = judge(sights, !both || place_by_stereo(sights, result), result);
+        if ((cones[OCEL_LEFT] != NULL) && (cones[OCEL_RIGHT] != NULL)) {
+            meet = place_by_stereo(sights, result);
+        }
+        status = judge(sights, meet, result);
     }
     return status;
 }

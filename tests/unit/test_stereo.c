@@ -874,6 +874,7 @@ static scene_t aligned_scene(int axis) {
 }
 
 static void unsure_directions_along_any_axis(void) {
+    static const ocel_estimate_t NONE;
     static const sigma_t POOR = {3e-2, 1e-3};
     for (int axis = 0; axis < 3; axis++) {
         const scene_t scene = aligned_scene(axis);
@@ -883,6 +884,7 @@ static void unsure_directions_along_any_axis(void) {
         TEST_ASSERT_EQUAL(OCEL_OK,
                           ocel_stereo_ball(&left, &right, scene.eyes, (int32_t)RADIUS_U, &ball));
         TEST_ASSERT_TRUE(!ball.has_stereo);
+        TEST_ASSERT_EQUAL_MEMORY(&NONE, &ball.stereo, sizeof(NONE));
     }
 }
 
