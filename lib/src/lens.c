@@ -25,11 +25,10 @@
 /* 1/64 px as the product of a slope in Q40 and a focal length in Q16. */
 #define TOLERANCE_Q56 ((uint64_t)0x4000000000000)
 
-/* At a fold: a Jacobian below 2^-10, or its determinant below 2^-20 of its largest
- * element squared.  The farthest that a step looks: 2^12. */
-#define JACOBIAN_MIN_Q40 ((uint64_t)0x40000000)
-#define DETERMINANT_MIN_Q60 ((int64_t)0x10000000000)
-#define DIFFERENCE_MAX_Q40 ((uint64_t)0x10000000000000)
+/* What a step takes: elements of the Jacobian within 64 and differences within 4, both
+ * 2^30 here, and a determinant of 2^-16 or more. */
+#define ALL_MAX ((uint64_t)0x40000000)
+#define DETERMINANT_MIN_Q48 ((int64_t)0x100000000)
 
 /* Elements of a Jacobian, which is symmetric. */
 enum { J_XX = 0, J_YY, J_XY, J_COUNT };
@@ -126,54 +125,43 @@ void ocel_lens_bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], int6
     bent_q40[1] = bent.xy_q40[1];
 }
 
-/* v + delta * 2^e, or a slope beyond all, where that is 8 or more; |delta| < 2^55,
- * e >= -40. */
-static int64_t moved_q28(int64_t v_q28, int64_t delta, int32_t e) {
-    const int32_t bits = 64 - (int32_t)ocel_clz64(ocel_abs64(delta));
-
-    return ((bits + e) < 32) ? (v_q28 + ocel_scale_q60(delta, e)) : INT64_MAX;
-}
-
-/* One step: xy += J^-1 d, d the difference that is left.  J is scaled by 2^up to
- * [1/2, 1) in Q60, up -3..29; d, within 2^12, stays in Q40:
- *   J^-1 d = adj(J 2^(up - 20)) d / det(J 2^(up - 20)) * 2^(up - 20).
- * A larger difference or a Jacobian that is (nearly) singular is given up. */
+/* One step: xy += J^-1 d, d the difference that is left.  The last bits of J only
+ * decide how fast the steps converge, so it is taken in Q24, within 64; d in Q28,
+ * within 4.  A product of two is below 2^60, their sums below 2^61; the determinant in
+ * Q48 is det / 2^12 in Q60, and with its inverse y 2^e, e <= 28,
+ *   J^-1 d = adj(J) d * y * 2^(e - 12),
+ * from Q52 to Q28 a right shift by 8 or more.  A larger difference or a determinant
+ * below 2^-16, at a fold, is given up. */
 static bool step(const bent_t *bent, const int64_t target_q28[2], int64_t xy_q28[2]) {
-    uint64_t most = 0U;
-    uint64_t farthest = 0U;
-    int64_t j_q60[J_COUNT];
-    int64_t d_q40[2];
-    int64_t determinant;
-    int32_t up;
+    int64_t j_q24[J_COUNT];
+    int64_t d_q28[2];
+    uint64_t all = 0U;
+    bool good;
 
     for (uint32_t i = 0U; i < (uint32_t)J_COUNT; i++) { /* bound: J_COUNT = 3 */
-        most |= ocel_abs64(bent->j_q40[i]);
-    }
-    up = (int32_t)ocel_clz64(most) - 4;
-    for (uint32_t i = 0U; i < (uint32_t)J_COUNT; i++) { /* bound: J_COUNT = 3 */
-        j_q60[i] = ocel_scale_q60(bent->j_q40[i], up);
+        j_q24[i] = ocel_asr64(bent->j_q40[i], 16U);
+        all |= ocel_abs64(j_q24[i]);
     }
     for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
-        d_q40[i] = ocel_shl64(target_q28[i], 12U) - bent->xy_q40[i];
-        farthest |= ocel_abs64(d_q40[i]);
+        d_q28[i] = target_q28[i] - ocel_shift_round64(bent->xy_q40[i], 12U);
+        all |= ocel_abs64(d_q28[i]);
     }
-    determinant = ocel_mul_q60(j_q60[J_XX], j_q60[J_YY]) - ocel_mul_q60(j_q60[J_XY], j_q60[J_XY]);
-    if ((most >= JACOBIAN_MIN_Q40) && (determinant >= DETERMINANT_MIN_Q60) &&
-        (farthest < DIFFERENCE_MAX_Q40)) {
-        int64_t inverse_q60;
+    good = all < ALL_MAX;
+    if (good) {
+        const int64_t determinant_q48 = (j_q24[J_XX] * j_q24[J_YY]) - (j_q24[J_XY] * j_q24[J_XY]);
+        uint32_t y_q31;
         int32_t e;
 
-        ocel_recip_q60((uint64_t)determinant, &inverse_q60, &e);
-        for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
-            const int64_t product_q40 =
-                ocel_mul_q60(j_q60[1U - i], d_q40[i]) - ocel_mul_q60(j_q60[J_XY], d_q40[1U - i]);
+        ocel_recip_short(ocel_abs64(determinant_q48), &y_q31, &e);
+        good = determinant_q48 >= DETERMINANT_MIN_Q48;
+        for (uint32_t i = 0U; good && (i < 2U); i++) { /* bound: 2 */
+            const int64_t product_q52 = (j_q24[1U - i] * d_q28[i]) - (j_q24[J_XY] * d_q28[1U - i]);
 
-            xy_q28[i] = moved_q28(xy_q28[i], ocel_mul_q60(product_q40, inverse_q60), (e + up) - 32);
+            xy_q28[i] +=
+                ocel_scale_q60(ocel_mul_q60(product_q52, (int64_t)y_q31 * 0x20000000), e - 36);
         }
-    } else {
-        xy_q28[0] = INT64_MAX;
     }
-    return ocel_lens_within(xy_q28, OCEL_TAN2_80_Q56);
+    return good && ocel_lens_within(xy_q28, OCEL_TAN2_80_Q56);
 }
 
 /* Within 1/64 px: below 2^31 the product by a focal length is below 2^61, from there
