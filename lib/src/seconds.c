@@ -19,8 +19,8 @@ int64_t ocel_times(int64_t a, int64_t b, int32_t e) {
     if ((ocel_abs64(product) >> room) != 0U) {
         result = (product < 0) ? -LARGEST : LARGEST;
     } else {
-        /* Below 2^-62 there is nothing left but the rounding of an LSB. */
-        result = ocel_scale_q60(product, (shift < -62) ? -62 : shift);
+        /* A product below 2^62 leaves nothing after a shift by 63. */
+        result = (shift < -62) ? 0 : ocel_scale_q60(product, shift);
     }
     return result;
 }
