@@ -111,6 +111,16 @@ static void far_points_are_refused(void) {
     TEST_ASSERT_TRUE((refused > TRIALS / 2) && (refused < TRIALS));
 }
 
+static void the_farthest_point_is_taken(void) {
+    ocel_pose_t pose = {{{1 << 30, 0, 0}, {0, 1 << 30, 0}, {0, 0, 1 << 30}}, {0, 0, 0}};
+    const int32_t p[3] = {0, -(1 << 30), 0};
+    int32_t placed[3];
+    TEST_ASSERT_TRUE(ocel_pose_point(&pose, p, placed));
+    TEST_ASSERT_EQUAL_INT32(-(1 << 30), placed[1]);
+    pose.p_u[1] = -1;
+    TEST_ASSERT_FALSE(ocel_pose_point(&pose, p, placed));
+}
+
 int main(void) {
     printf("seed %d\n", SEED);
     UNITY_BEGIN();
@@ -118,6 +128,7 @@ int main(void) {
     RUN_TEST(directions_turn);
     RUN_TEST(points_turn_and_move);
     RUN_TEST(columns_are_the_axes);
+    RUN_TEST(the_farthest_point_is_taken);
     RUN_TEST(far_points_are_refused);
     return UNITY_END();
 }
