@@ -27,8 +27,9 @@ constexpr const char *kFooter =
 ground. `ns` is wall time on this machine, the best of many runs: it is no bound
 and differs between machines. `operations` is a count, the same everywhere, and
 `bound` is the most it can be for a frame of this size, whatever the frame shows.
-The library of this program is built for 4096 x 4096, so its moment sums have
-64 bits; one built for 320 x 240 has 32.
+A lens is undone in a fixed number of steps a point, and the cone fit tries a fixed
+number of hypotheses, whatever the points are. The library of this program is built
+for 4096 x 4096, so its moment sums have 64 bits; one built for 320 x 240 has 32.
 
 Examples:
   ocellus bench
@@ -124,6 +125,10 @@ class Bench {
         fit_stage(OCEL_FIT_B2AC);
         fit_stage(OCEL_FIT_LCSE);
         fit_stage(OCEL_FIT_HYPER);
+        camera_stage("camera rays", 0);
+        camera_stage("lens rays", -0x400000); // k1 = -1/4
+        cone_stage();
+        sphere_stage();
         frame_stage("frame BGR888", bgr);
         frame_stage("frame RGB565", rgb565);
         return stages_;
@@ -205,6 +210,52 @@ class Bench {
                            OCEL_MAX_FIT_POINTS, ns});
     }
 
+    // A camera of the iCub's kind, for the frame's size.
+    static ocel_camera_t camera_of(std::int32_t k1_q24) {
+        ocel_intrinsics_t intrinsics{};
+        intrinsics.fx_px_q16 = 257 * 65536;
+        intrinsics.fy_px_q16 = 257 * 65536;
+        intrinsics.cx_px_q16 = 160 * 65536;
+        intrinsics.cy_px_q16 = 120 * 65536;
+        intrinsics.k1_q24 = k1_q24;
+        intrinsics.width = kWidth;
+        intrinsics.height = kHeight;
+        ocel_camera_t camera{};
+        require_ok(ocel_camera_init(&camera, &intrinsics));
+        return camera;
+    }
+
+    void camera_stage(const char *name, std::int32_t k1_q24) {
+        const ocel_camera_t camera = camera_of(k1_q24);
+        const double ns = fastest_ns([this, &camera] {
+            for (const ocel_crack_t &crack : boundary_) {
+                const ocel_point_t pixel = {crack.x_hpx * 32768, crack.y_hpx * 32768};
+                std::int32_t ray[3];
+                require_ok(ocel_camera_ray(&camera, &pixel, ray));
+            }
+        });
+        const std::uint64_t each = k1_q24 == 0 ? 1 : OCEL_UNDISTORT_STEPS;
+        stages_.push_back({name, std::to_string(boundary_.size()) + " points",
+                           k1_q24 == 0 ? "rays" : "steps", each * boundary_.size(),
+                           each * OCEL_MAX_FIT_POINTS, ns});
+    }
+
+    void cone_stage() {
+        const ocel_camera_t camera = camera_of(0);
+        const double ns = fastest_ns([this, &camera] {
+            require_ok(ocel_cone_fit_cracks(&camera, boundary_.data(), boundary_.size(), &cone_));
+        });
+        stages_.push_back({"cone fit", std::to_string(boundary_.size()) + " points", "points",
+                           boundary_.size(), OCEL_MAX_FIT_POINTS, ns});
+    }
+
+    void sphere_stage() {
+        ocel_sphere_t sphere{};
+        const double ns = fastest_ns(
+            [this, &sphere] { require_ok(ocel_sphere_of_cone(&cone_, 35000, &sphere)); });
+        stages_.push_back({"sphere", "1 cone", "cones", 1, 1, ns});
+    }
+
     void frame_stage(const char *name, const Frame &frame) {
         ocel_eye_config_t config{};
         config.width = kWidth;
@@ -223,6 +274,7 @@ class Bench {
     ocel_crack_pool_t pool_{};
     ocel_eye_t eye_{};
     std::vector<ocel_crack_t> boundary_;
+    ocel_cone_t cone_{};
     std::vector<Stage> stages_;
 };
 

@@ -16,11 +16,18 @@
 
 #include <ocellus/ocellus.h>
 
+#include "camera_ray.h"
 #include "frames.h"
 #include "int_math.h"
 #include "trig.h"
 
-enum { SEED = 7, PIXELS = FRAME_WIDTH * FRAME_HEIGHT, ARC_POINTS = 250, ROW_WORDS = 10 };
+enum {
+    SEED = 7,
+    PIXELS = FRAME_WIDTH * FRAME_HEIGHT,
+    ARC_POINTS = 250,
+    CONE_CRACKS = 340,
+    ROW_WORDS = 10
+};
 
 static uint8_t mask[PIXELS];
 static uint8_t bgr[3 * PIXELS];
@@ -46,6 +53,10 @@ static size_t crack_count;
 static ocel_point_t points[ARC_POINTS];
 static ocel_crack_t arc_cracks[ARC_POINTS];
 static ocel_ellipse_t ellipse;
+static ocel_crack_t cone_cracks[CONE_CRACKS];
+static ocel_camera_t camera;
+static ocel_cone_t cone;
+static ocel_sphere_t sphere;
 
 static const ocel_colour_range_t range_rgb = {
     OCEL_SPACE_RGB,
@@ -170,6 +181,40 @@ static void measure_fit_points_hyper(void) {
     fit_points(OCEL_FIT_HYPER);
 }
 
+static void camera_rays(void) {
+    int32_t xy_q28[2];
+    for (size_t i = 0; i < CONE_CRACKS; i++) {
+        if (!ocel_camera_normalise(&camera, cone_cracks[i].x_hpx * 32768,
+                                   cone_cracks[i].y_hpx * 32768, xy_q28)) {
+            must(OCEL_OUT_OF_RANGE, "camera ray");
+        }
+    }
+}
+
+static void measure_camera_rays(void) {
+    camera_rays();
+}
+
+static void measure_camera_rays_lens(void) {
+    camera_rays();
+}
+
+static void measure_cone_cracks(void) {
+    must(ocel_cone_fit_cracks(&camera, cone_cracks, CONE_CRACKS, &cone), "cone");
+}
+
+static void measure_cone_outline(void) {
+    must(ocel_cone_outline(&camera, &cone, &ellipse), "outline");
+}
+
+static void measure_cone_of_ellipse(void) {
+    must(ocel_cone_of_ellipse(&camera, &ellipse, &cone), "cone of ellipse");
+}
+
+static void measure_sphere(void) {
+    must(ocel_sphere_of_cone(&cone, 35000, &sphere), "sphere");
+}
+
 static void measure_eye_frame(void) {
     must(ocel_eye_frame(&eye, &colour, bgr, 3U * FRAME_WIDTH, &detection), "eye");
 }
@@ -221,6 +266,41 @@ static void prepare_fit(void) {
     }
 }
 
+/* A camera before the ball, with or without a lens, and 340 cracks. */
+static void prepare_camera(int32_t k1_q24) {
+    const ocel_intrinsics_t in = {.fx_px_q16 = 277 * 65536,
+                                  .fy_px_q16 = 277 * 65536,
+                                  .cx_px_q16 = 160 * 65536,
+                                  .cy_px_q16 = 120 * 65536,
+                                  .k1_q24 = k1_q24,
+                                  .width = FRAME_WIDTH,
+                                  .height = FRAME_HEIGHT};
+    must(ocel_camera_init(&camera, &in), "camera init");
+    prepare_boundary();
+    measure_boundary();
+    for (size_t i = 0; i < CONE_CRACKS; i++) {
+        cone_cracks[i] = cracks[(i * crack_count) / CONE_CRACKS];
+    }
+}
+
+static void prepare_pinhole(void) {
+    prepare_camera(0);
+}
+
+static void prepare_lens(void) {
+    prepare_camera(-0x400000); /* -1/4 */
+}
+
+static void prepare_cone(void) {
+    prepare_pinhole();
+    measure_cone_cracks();
+}
+
+static void prepare_outline(void) {
+    prepare_cone();
+    measure_cone_outline();
+}
+
 static void prepare_eye(void) {
     const ocel_eye_config_t config = {.width = FRAME_WIDTH, .height = FRAME_HEIGHT};
     must(ocel_eye_init(&eye, &config), "eye init");
@@ -265,6 +345,13 @@ static const stage_t stages[] = {
      measure_fit_points_b2ac},
     {"fit_points_hyper", "points, the arc measured", ARC_POINTS, prepare_fit,
      measure_fit_points_hyper},
+    {"camera_rays", "cracks, a pinhole", CONE_CRACKS, prepare_pinhole, measure_camera_rays},
+    {"camera_rays_lens", "cracks, a lens undone", CONE_CRACKS, prepare_lens,
+     measure_camera_rays_lens},
+    {"cone_cracks", "cracks, robust", CONE_CRACKS, prepare_pinhole, measure_cone_cracks},
+    {"cone_outline", "one cone", 1, prepare_cone, measure_cone_outline},
+    {"cone_of_ellipse", "one ellipse", 1, prepare_outline, measure_cone_of_ellipse},
+    {"sphere", "one cone", 1, prepare_cone, measure_sphere},
     {"eye_frame", "frame with one ball, BGR888, px", PIXELS, prepare_eye, measure_eye_frame},
 };
 

@@ -53,7 +53,8 @@ class Program(ProgramTest):
         stages = self.run_program("bench", "--json").lines
         names = [stage["stage"] for stage in stages]
         for name in ("colour BGR888", "colour RGB565", "colour GRAY8", "label", "boundary",
-                     "fit b2ac", "fit lcse", "fit hyper", "frame BGR888", "frame RGB565"):
+                     "fit b2ac", "fit lcse", "fit hyper", "camera rays", "lens rays", "cone fit",
+                     "sphere", "frame BGR888", "frame RGB565"):
             self.assertIn(name, names)
         for stage in stages:
             self.assertGreater(stage["operations"], 0, stage)
