@@ -14,9 +14,10 @@ typedef struct {
 static const group_t groups[] = {
     {"small", corpus_small},
 #ifndef CORPUS_SMALL
-    {"maths", corpus_maths},   {"colour", corpus_colour}, {"teach", corpus_teach},
-    {"label", corpus_label},   {"eye", corpus_eye},       {"fit", corpus_fit},
-    {"camera", corpus_camera},
+    {"maths", corpus_maths},   {"colour", corpus_colour},   {"teach", corpus_teach},
+    {"label", corpus_label},   {"eye", corpus_eye},         {"fit", corpus_fit},
+    {"camera", corpus_camera}, {"cone", corpus_cone},       {"head", corpus_head},
+    {"stereo", corpus_stereo}, {"tracker", corpus_tracker}, {"gaze", corpus_gaze},
 #endif
 };
 

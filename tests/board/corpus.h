@@ -66,5 +66,10 @@ void corpus_label(hash_t *h);
 void corpus_eye(hash_t *h);
 void corpus_fit(hash_t *h);
 void corpus_camera(hash_t *h);
+void corpus_cone(hash_t *h);
+void corpus_head(hash_t *h);
+void corpus_stereo(hash_t *h);
+void corpus_tracker(hash_t *h);
+void corpus_gaze(hash_t *h);
 
 #endif
