@@ -13,7 +13,7 @@ extern "C" {
 typedef enum {
     /* Answers about the scene or the data. */
     OCEL_OK = 0,         /* the library vouches for the answer */
-    OCEL_PARTIAL,        /* too short an arc: an estimate, not vouched for */
+    OCEL_PARTIAL,        /* an estimate, not vouched for: too short an arc, say */
     OCEL_CLIPPED,        /* cut by the image's edge: an estimate, not vouched for */
     OCEL_NOT_SEEN,       /* no pixel of the colour, or none large enough */
     OCEL_TOO_FEW_POINTS, /* fewer than OCEL_MIN_FIT_POINTS */
