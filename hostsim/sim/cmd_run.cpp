@@ -57,8 +57,8 @@ void print_result(const nlohmann::ordered_json &summary) {
                "success", "err mean", "err max", "radius mean");
     for (const auto &[name, method] : summary["methods"].items()) {
         const auto &all = method["all"];
-        fmt::print("{:<15} {:>6} {:>6} {:>8}", name, all["trials"].get<int>(),
-                   all["ok"].get<int>(), all["success"].get<int>());
+        fmt::print("{:<15} {:>6} {:>6} {:>8}", name, all["trials"].get<int>(), all["ok"].get<int>(),
+                   all["success"].get<int>());
         if (all.contains("err")) {
             fmt::print(" {:>10.5f} {:>10.5f}", all["err"]["mean"].get<double>(),
                        all["err"]["max"].get<double>());

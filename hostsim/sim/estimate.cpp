@@ -29,8 +29,7 @@ std::optional<Vec3> residual_place(const Outlines &outlines, const HeadReading &
     const Vec3 &right = outlines[kRight].d_cam;
     const double off_left = std::atan2(left[0], left[2]);
     const double tan_left = std::tan(head.joints[kLeftPan] - off_left);
-    const double tan_right =
-        std::tan(head.joints[kRightPan] - std::atan2(right[0], right[2]));
+    const double tan_right = std::tan(head.joints[kRightPan] - std::atan2(right[0], right[2]));
     if (tan_right - tan_left < kLeastHalfVergence) {
         return std::nullopt;
     }

@@ -17,8 +17,7 @@ double off_middle(const Seen &seen, const Intrinsics &camera) {
     double farthest = 0.0;
     for (const std::optional<cv::Point2d> &place : seen) {
         if (place) {
-            farthest =
-                std::max(farthest, std::hypot(place->x - camera.cx, place->y - camera.cy));
+            farthest = std::max(farthest, std::hypot(place->x - camera.cx, place->y - camera.cy));
         }
     }
     return farthest;

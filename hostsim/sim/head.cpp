@@ -41,8 +41,7 @@ JointLimits joint_limits(Joint joint) {
 }
 
 Head::Head(btMultiBodyDynamicsWorld &world, double step)
-    : world_(world), body_(kJointCount, 0.0, btVector3(0, 0, 0), true, false),
-      shape_(kLinkRadius) {
+    : world_(world), body_(kJointCount, 0.0, btVector3(0, 0, 0), true, false), shape_(kLinkRadius) {
     for (int joint = 0; joint < kJointCount; ++joint) {
         add_link(static_cast<Joint>(joint));
     }
@@ -87,8 +86,8 @@ void Head::add_collider(Joint joint) {
 void Head::add_motor(Joint joint, double step) {
     const auto index = static_cast<std::size_t>(joint);
     const JointLimits range = joint_limits(joint);
-    motors_[index] = std::make_unique<btMultiBodyJointMotor>(&body_, joint, 0.0,
-                                                             kLinks[joint].torque * step);
+    motors_[index] =
+        std::make_unique<btMultiBodyJointMotor>(&body_, joint, 0.0, kLinks[joint].torque * step);
     limits_[index] =
         std::make_unique<btMultiBodyJointLimitConstraint>(&body_, joint, range.low, range.high);
     world_.addMultiBodyConstraint(motors_[index].get());

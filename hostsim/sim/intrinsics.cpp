@@ -39,8 +39,12 @@ Intrinsics make_intrinsics(const std::string &preset, int width) {
     const double scale = width / 320.0;
     for (const Preset &candidate : kPresets) {
         if (preset == candidate.name) {
-            return {candidate.fx * scale, candidate.fy * scale, (width - 1) / 2.0,
-                    (height - 1) / 2.0,   width,                height};
+            return {candidate.fx * scale,
+                    candidate.fy * scale,
+                    (width - 1) / 2.0,
+                    (height - 1) / 2.0,
+                    width,
+                    height};
         }
     }
     throw cli::InputError("no camera preset " + cli::quoted(preset));

@@ -73,8 +73,7 @@ Outline hough_outline(Method method, const Detector &detector) {
     }
     cv::Mat picture;
     cv::GaussianBlur(detector.mask(), picture, cv::Size(), kBlurSigma);
-    const Found found =
-        method == Method::kHoughAlt ? most_perfect(picture) : most_votes(picture);
+    const Found found = method == Method::kHoughAlt ? most_perfect(picture) : most_votes(picture);
     if (found.circles.empty()) {
         return {};
     }

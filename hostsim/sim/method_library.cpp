@@ -43,8 +43,8 @@ Outline ellipse_outline(Method method, const Detector &detector) {
 
 Outline cone_outline(const Detector &detector) {
     Outline outline;
-    outline.status = ocel_eye_cone(&detector.eye(), &detector.camera(), &detector.detection(),
-                                   &outline.cone);
+    outline.status =
+        ocel_eye_cone(&detector.eye(), &detector.camera(), &detector.detection(), &outline.cone);
     ocel_ellipse_t ellipse{};
     if (outline.cone.sin_q30 == 0 ||
         ocel_cone_outline(&detector.camera(), &outline.cone, &ellipse) != OCEL_OK) {

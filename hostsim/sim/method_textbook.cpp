@@ -113,8 +113,8 @@ std::optional<Ellipse> strict_fit(const Points &points) {
         return std::nullopt;
     }
     const double *const a = vectors.ptr<double>(chosen);
-    return ellipse_of_conic({a[0], a[1] / 2, a[3] / 2, a[1] / 2, a[2], a[4] / 2, a[3] / 2,
-                             a[4] / 2, a[5]});
+    return ellipse_of_conic(
+        {a[0], a[1] / 2, a[3] / 2, a[1] / 2, a[2], a[4] / 2, a[3] / 2, a[4] / 2, a[5]});
 }
 
 std::optional<Ellipse> resampled_fit(const Points &points, int resamplings, std::uint64_t seed) {
@@ -159,9 +159,8 @@ Outline textbook_outline(Method method, const Detector &detector, std::uint64_t 
     }
     const Points even = mapped(points, square);
     const int resamplings = method == Method::kEdfe ? 50 : 200;
-    const std::optional<Ellipse> fit = method == Method::kB2acStrict
-                                           ? strict_fit(even)
-                                           : resampled_fit(even, resamplings, seed);
+    const std::optional<Ellipse> fit =
+        method == Method::kB2acStrict ? strict_fit(even) : resampled_fit(even, resamplings, seed);
     return fit ? outline_of(mapped_back(*fit, square), OCEL_OK, detector.intrinsics())
                : failed(OCEL_DEGENERATE);
 }

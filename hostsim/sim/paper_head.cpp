@@ -22,11 +22,9 @@ double half_vergence_of(const JointAngles &joints) {
 }
 
 Vec3 paper_target(const JointAngles &joints, double d0) {
-    const Pose X_0_5 = link(0, kPi / 2, kNeckHeight, 0) *
-                       link(0, -kPi / 2, 0, joints[kNeckPitch]) *
+    const Pose X_0_5 = link(0, kPi / 2, kNeckHeight, 0) * link(0, -kPi / 2, 0, joints[kNeckPitch]) *
                        link(kEyeForward, kPi / 2, kEyeRise, joints[kNeckYaw]) *
-                       link(0, -kPi / 2, 0, joints[kEyesTilt]) *
-                       link(d0, 0, 0, version_of(joints));
+                       link(0, -kPi / 2, 0, joints[kEyesTilt]) * link(d0, 0, 0, version_of(joints));
     return X_0_5.p;
 }
 

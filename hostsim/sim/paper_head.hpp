@@ -11,10 +11,10 @@
 namespace sim {
 
 // Table 1, SMU.
-constexpr double kEyeDistance = 0.35;             // EYD, from eye to eye
-constexpr double kEyeForward = 0.36;              // EXO, from the neck's pitch axis
-constexpr double kEyeHeight = 3.50;               // EZO, above the floor
-constexpr double kNeckHeight = 3.01;              // HZO, above the floor
+constexpr double kEyeDistance = 0.35;                 // EYD, from eye to eye
+constexpr double kEyeForward = 0.36;                  // EXO, from the neck's pitch axis
+constexpr double kEyeHeight = 3.50;                   // EZO, above the floor
+constexpr double kNeckHeight = 3.01;                  // HZO, above the floor
 constexpr double kEyeRise = kEyeHeight - kNeckHeight; // from the neck to the eyes
 
 // The five joints.  Pitch and tilt are positive up, yaw and the pans left.

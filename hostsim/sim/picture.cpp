@@ -22,6 +22,8 @@ const Drawn kDrawn[] = {{Method::kHoughGradient, {255, 160, 0}},
                         {Method::kB2ac, {255, 70, 220}},
                         {Method::kSphere, {60, 255, 80}}};
 
+const cv::Scalar kWhite(235, 235, 235);
+
 // Sub-pixel drawing: OpenCV takes whole numbers of 1/16 px.
 constexpr int kShift = 4;
 
@@ -58,27 +60,28 @@ const cv::Scalar *ink_of(Method method) {
     return nullptr;
 }
 
-std::string legend_line(const MethodRecord &record) {
-    std::string line =
-        fmt::format("{:<15} {:<9}", method_name(record.method), ocel_status_name(record.status));
-    if (!std::isnan(record.error)) {
-        line += fmt::format(" error {:.4f} SMU", record.error);
+std::string errors_of(const MethodRecord &record) {
+    if (std::isnan(record.error)) {
+        return "";
     }
-    if (!std::isnan(record.radius_error_pct)) {
-        line += fmt::format(", radius {:+.2f} %", record.radius_error_pct);
-    }
-    return line;
+    return fmt::format("error {:.4f} SMU, radius {:+.2f} %", record.error, record.radius_error_pct);
+}
+
+void draw_method(const MethodRecord &record, const cv::Point &place, cv::Mat &canvas) {
+    const cv::Scalar *const drawn = ink_of(record.method);
+    const cv::Scalar ink = drawn == nullptr ? kWhite : *drawn;
+    write(method_name(record.method), place, ink, canvas);
+    write(ocel_status_name(record.status), place + cv::Point(120, 0), ink, canvas);
+    write(errors_of(record), place + cv::Point(200, 0), ink, canvas);
 }
 
 void draw_legend(const Scenario &scenario, const TrialRecord &record, int top, cv::Mat &canvas) {
-    const cv::Scalar white(235, 235, 235);
     write(fmt::format("{}: distance {:.2f} SMU, {:.1f} % hidden, trial {}", scenario.name,
                       record.distance, 100.0 * record.occlusion, record.trial),
-          {8, top + kLine}, white, canvas);
+          {8, top + kLine}, kWhite, canvas);
     for (int i = 0; i < record.method_count; ++i) {
-        const cv::Scalar *const ink = ink_of(record.methods[i].method);
         const cv::Point place(8 + i % 2 * (canvas.cols / 2), top + kLine * (2 + i / 2));
-        write(legend_line(record.methods[i]), place, ink == nullptr ? white : *ink, canvas);
+        draw_method(record.methods[i], place, canvas);
     }
 }
 

@@ -33,8 +33,8 @@ void Progress::draw_bar() const {
 }
 
 void Progress::print_line() const {
-    std::fprintf(stderr, "%s: %zu %% (%zu of %zu trials)\n", what_.c_str(),
-                 done_ * 100 / total_, done_, total_);
+    std::fprintf(stderr, "%s: %zu %% (%zu of %zu trials)\n", what_.c_str(), done_ * 100 / total_,
+                 done_, total_);
 }
 
 } // namespace sim

@@ -52,6 +52,15 @@ Mat4 projection(const Intrinsics &camera) {
     return p;
 }
 
+// The grid of samples as a camera: its nodes 0, k, 2k ... are the pixels' edges.
+Intrinsics sample_grid(const Intrinsics &camera, int k) {
+    if (k == 1) {
+        return camera;
+    }
+    return {camera.fx * k,         camera.fy * k,        (camera.cx + 0.5) * k,
+            (camera.cy + 0.5) * k, camera.width * k + 1, camera.height * k + 1};
+}
+
 Mat4 matrix_of(const Mat3 &r, const Vec3 &p) {
     return {r(0, 0), r(0, 1), r(0, 2), p[0], r(1, 0), r(1, 1), r(1, 2), p[1],
             r(2, 0), r(2, 1), r(2, 2), p[2], 0,       0,       0,       1};
@@ -90,8 +99,8 @@ unsigned compile(unsigned kind, const std::string &text) {
 unsigned linked_program(const char *hit) {
     const unsigned program = glCreateProgram();
     const unsigned vertex = compile(GL_VERTEX_SHADER, std::string(kVersion) + kVertexShader);
-    const unsigned fragment = compile(GL_FRAGMENT_SHADER, std::string(kVersion) + kFragmentShader +
-                                                              hit + kFragmentMain);
+    const unsigned fragment =
+        compile(GL_FRAGMENT_SHADER, std::string(kVersion) + kFragmentShader + hit + kFragmentMain);
     glAttachShader(program, vertex);
     glAttachShader(program, fragment);
     glLinkProgram(program);
@@ -126,13 +135,15 @@ std::vector<std::uint8_t> pattern_texels() {
     for (int octave = 0; octave < 6; ++octave) {
         const int cells = kPatternSize >> octave;
         Random random(static_cast<std::uint64_t>(octave));
-        std::vector<double> value(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells));
+        std::vector<double> value(static_cast<std::size_t>(cells) *
+                                  static_cast<std::size_t>(cells));
         for (double &cell : value) {
             cell = random.uniform(-1, 1);
         }
         for (int i = 0; i < kPatternSize * kPatternSize; ++i) {
             const int cell = (i / kPatternSize >> octave) * cells + (i % kPatternSize >> octave);
-            sum[static_cast<std::size_t>(i)] += value[static_cast<std::size_t>(cell)] * (octave + 1);
+            sum[static_cast<std::size_t>(i)] +=
+                value[static_cast<std::size_t>(cell)] * (octave + 1);
         }
     }
     std::vector<std::uint8_t> texels(sum.size());
@@ -194,8 +205,8 @@ struct Renderer::Pass {
 };
 
 Renderer::Renderer(const Intrinsics &camera, int supersampling)
-    : camera_(camera), supersampling_(supersampling), width_(camera.width * supersampling),
-      height_(camera.height * supersampling), context_(make_osmesa_context()),
+    : camera_(camera), supersampling_(supersampling), drawn_(sample_grid(camera, supersampling)),
+      width_(drawn_.width), height_(drawn_.height), context_(make_osmesa_context()),
       pixels_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4) {
     for (const char *hit : {kBoxHit, kBallHit, kDiscHit}) {
         programs_.push_back(std::make_unique<Program>(hit));
@@ -304,9 +315,18 @@ void Renderer::read_pixels() {
     }
 }
 
-// Squares of pixels to their mean, to the nearest level, top row first.
+// By the trapezoid rule the samples on a pixel's border count half.
+unsigned Renderer::weight(std::size_t sample) const {
+    const auto k = static_cast<std::size_t>(supersampling_);
+    return k == 1 || sample == 0 || sample == k ? 1U : 2U;
+}
+
+// Pixels to the mean over their area, to the nearest level, top row first.
 cli::Image Renderer::averaged() const {
     const auto k = static_cast<std::size_t>(supersampling_);
+    const std::size_t last = k == 1 ? 0 : k; // sample of a pixel, along a side
+    const auto total = static_cast<unsigned>(k == 1 ? 1 : 4 * k * k);
+    const auto bottom = static_cast<std::size_t>(height_) - 1;
     cli::Image image;
     image.width = static_cast<std::uint32_t>(camera_.width);
     image.height = static_cast<std::uint32_t>(camera_.height);
@@ -315,37 +335,38 @@ cli::Image Renderer::averaged() const {
     std::vector<unsigned> sum(image.row_bytes());
     for (std::size_t y = 0; y < image.height; ++y) {
         std::fill(sum.begin(), sum.end(), 0U);
-        for (std::size_t line = 0; line < k; ++line) {
-            add_line((image.height - y) * k - 1 - line, sum);
+        for (std::size_t sample = 0; sample <= last; ++sample) {
+            add_line(bottom - (y * k + sample), weight(sample), sum);
         }
         for (std::size_t i = 0; i < sum.size(); ++i) {
-            image.row(y)[i] = static_cast<std::uint8_t>((sum[i] + k * k / 2) / (k * k));
+            image.row(y)[i] = static_cast<std::uint8_t>((sum[i] + total / 2) / total);
         }
     }
     return image;
 }
 
-// Adds a line as drawn, `k` pixels to each of the picture's.
-void Renderer::add_line(std::size_t line, std::vector<unsigned> &sum) const {
+// Adds a line of samples to a line of pixels.
+void Renderer::add_line(std::size_t line, unsigned line_weight, std::vector<unsigned> &sum) const {
     const auto k = static_cast<std::size_t>(supersampling_);
-    const std::uint8_t *pixel = pixels_.data() + line * static_cast<std::size_t>(width_) * 4;
-    for (std::size_t i = 0; i < sum.size(); i += 3) {
-        for (std::size_t sample = 0; sample < k; ++sample, pixel += 4) {
-            sum[i] += pixel[0];
-            sum[i + 1] += pixel[1];
-            sum[i + 2] += pixel[2];
+    const std::size_t last = k == 1 ? 0 : k;
+    const std::uint8_t *first = pixels_.data() + line * static_cast<std::size_t>(width_) * 4;
+    for (std::size_t i = 0; i < sum.size(); i += 3, first += 4 * k) {
+        for (std::size_t sample = 0; sample <= last; ++sample) {
+            const unsigned share = line_weight * weight(sample);
+            sum[i] += share * first[4 * sample];
+            sum[i + 1] += share * first[4 * sample + 1];
+            sum[i + 2] += share * first[4 * sample + 2];
         }
     }
 }
 
 cli::Image Renderer::picture(const Drawing &drawing, const Pose &X_world_cam) {
-    draw(drawing,
-         {view(camera_, X_world_cam), X_world_cam.p, light_of(drawing.lighting), false});
+    draw(drawing, {view(drawn_, X_world_cam), X_world_cam.p, light_of(drawing.lighting), false});
     return averaged();
 }
 
 double Renderer::target_area(const Drawing &drawing, const Pose &X_world_cam) {
-    draw(drawing, {view(camera_, X_world_cam), X_world_cam.p, light_of(Lighting::kFlat), true});
+    draw(drawing, {view(drawn_, X_world_cam), X_world_cam.p, light_of(Lighting::kFlat), true});
     std::size_t count = 0;
     for (std::size_t i = 0; i < pixels_.size(); i += 4) {
         count += pixels_[i] > 127 ? 1U : 0U;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Draws what a pinhole camera sees.  A picture is drawn `supersampling` times as
-// wide and high and averaged over squares: 1 has the hard edges of the iCub
-// simulator, 4 is as good as a lens.
+// Draws what a pinhole camera sees.  `supersampling` 1 takes one sample in each
+// pixel's middle: the hard edges of the iCub simulator.  2 and 4 average a pixel's
+// area by the trapezoid rule, on a grid of samples that has the pixels' corners:
+// so it has their middles as well, and a pixel that an edge halves is not always
+// taken for one side, which would make every ball .1 px larger.
 #ifndef OCELLUS_SIM_RENDERER_HPP
 #define OCELLUS_SIM_RENDERER_HPP
 
@@ -46,13 +48,15 @@ class Renderer {
     void make_target();
     void make_pattern();
     void read_pixels();
-    void add_line(std::size_t line, std::vector<unsigned> &sum) const;
+    void add_line(std::size_t line, unsigned weight, std::vector<unsigned> &sum) const;
+    unsigned weight(std::size_t sample) const;
     cli::Image averaged() const;
 
     Intrinsics camera_;
     int supersampling_;
-    int width_;  // as drawn, px
-    int height_; //
+    Intrinsics drawn_; // of the grid of samples
+    int width_;        // of that grid
+    int height_;
     std::unique_ptr<RenderContext> context_;
     std::vector<std::unique_ptr<Program>> programs_; // by Shape
     unsigned vertices_ = 0;

@@ -34,8 +34,8 @@ std::string row(const Scenario &scenario, std::uint64_t seed, const TrialRecord 
     line += place(trial.p_true) + place(method.p_world) + field(method.error);
     line += field(scenario.target.radius) + field(method.radius) + field(method.radius_error_pct);
     line += fmt::format(",{}", method.success ? 1 : 0);
-    line += field(method.error_encoder) + field(method.error_residual) +
-            field(method.error_debiased);
+    line +=
+        field(method.error_encoder) + field(method.error_residual) + field(method.error_debiased);
     line += field(method.radius_true_depth) + field(method.radius_true_depth_error_pct) +
             field(method.centre_error_px);
     line += method.votes > 0 ? fmt::format(",{}", method.votes) : ",";

@@ -107,8 +107,8 @@ void await_workers(const std::vector<pid_t> &workers) {
     bool good = true;
     for (const pid_t pid : workers) {
         int status = 0;
-        good = ::waitpid(pid, &status, 0) == pid && WIFEXITED(status) &&
-               WEXITSTATUS(status) == 0 && good;
+        good = ::waitpid(pid, &status, 0) == pid && WIFEXITED(status) && WEXITSTATUS(status) == 0 &&
+               good;
     }
     if (!good) {
         throw std::runtime_error("a worker process failed, the run is not complete");

@@ -64,8 +64,10 @@ void read_scene(TomlReader reader, Scenario &scenario) {
 }
 
 void read_gaze(TomlReader reader, Scenario &scenario) {
-    scenario.gaze = static_cast<Gaze>(reader.choice("mode", {"straight", "fixate"}));
-    if (scenario.gaze == Gaze::kFixate) {
+    scenario.gaze = static_cast<Gaze>(reader.choice("mode", {"still", "fixate"}));
+    if (scenario.gaze == Gaze::kStill) {
+        scenario.focus = reader.number("focus", 0.3, 1000.0, "SMU");
+    } else {
         scenario.gaze_tolerance = reader.number("tolerance", 0.01, 100.0, "px");
         scenario.gaze_frames = reader.integer("frames", 1, 1000, "frames");
     }

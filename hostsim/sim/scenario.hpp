@@ -17,9 +17,9 @@ namespace sim {
 
 enum class Background { kPlain, kTextured, kCluttered };
 
-// straight: the eyes look ahead.  fixate: they turn until both have the target
+// still: the eyes look at a place straight ahead.  fixate: they turn until both have the target
 // in their middle.
-enum class Gaze { kStraight, kFixate };
+enum class Gaze { kStill, kFixate };
 
 // What the points of the sweep are values of.
 enum class Varied { kDistance, kOcclusion };
@@ -50,6 +50,7 @@ struct Scenario {
     Background background;
     Lighting lighting;
     Gaze gaze;
+    double focus;          // SMU ahead of the eyes' middle: where still eyes look
     double gaze_tolerance; // px
     int gaze_frames;       // at most
     ocel_colour_range_t colour;

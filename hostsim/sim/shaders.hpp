@@ -37,6 +37,7 @@ bool hit(vec3 eye, vec3 d, out vec3 point, out vec3 normal) {
 // The foot of the perpendicular from the centre onto the ray: no difference of
 // large numbers, so the outline keeps its digits.
 constexpr const char *kBallHit = R"(
+#define IS_CAST
 bool hit(vec3 eye, vec3 d, out vec3 point, out vec3 normal) {
     vec3 along = normalize(d);
     vec3 foot = eye - dot(eye, along) * along;
@@ -49,6 +50,7 @@ bool hit(vec3 eye, vec3 d, out vec3 point, out vec3 normal) {
 
 // Its two faces x = +-1, then its rim y^2 + z^2 = 1.
 constexpr const char *kDiscHit = R"(
+#define IS_CAST
 bool hit(vec3 eye, vec3 d, out vec3 point, out vec3 normal) {
     float face = eye.x > 0.0 ? 1.0 : -1.0;
     point = eye + d * ((face - eye.x) / d.x);
@@ -69,7 +71,8 @@ bool hit(vec3 eye, vec3 d, out vec3 point, out vec3 normal) {
 
 // What stands before hit() and after it.
 // glare: strength of the highlight.  albedo.a: 1 takes the texture, which has
-// the mean .5.  The depth is written because the cube's is not the solid's.
+// the mean .5.  What is cast writes its depth, as the cube's is not the solid's,
+// and has the highlight; a box is spared both.
 constexpr const char *kFragmentShader = R"(
 in vec3 v_point;
 in vec3 v_normal;
@@ -103,16 +106,19 @@ void main() {
     }
     // A normal goes by the inverse scale.
     vec3 normal = normalize(world_from_cube * (cube_normal / (half_size * half_size)));
-    vec3 ray = normalize(world_from_cube * d);
     float lit = max(dot(normal, to_light), 0.0);
-    float mirror = max(dot(reflect(ray, normal), to_light), 0.0);
     vec3 paint = albedo.rgb;
     if (albedo.a > 0.5) {
         paint *= 0.4 + 1.2 * texture(pattern, 0.25 * pattern_place(point, cube_normal)).rgb;
     }
-    colour = vec4(paint * (ambient + (1.0 - ambient) * lit) + glare * pow(mirror, 20.0), 1.0);
+    colour = vec4(paint * (ambient + (1.0 - ambient) * lit), 1.0);
+#ifdef IS_CAST
+    vec3 ray = normalize(world_from_cube * d);
+    float mirror = max(dot(reflect(ray, normal), to_light), 0.0);
+    colour.rgb += glare * pow(mirror, 20.0);
     vec4 clip = clip_from_cube * vec4(point, 1.0);
     gl_FragDepth = 0.5 * clip.z / clip.w + 0.5;
+#endif
 }
 )";
 

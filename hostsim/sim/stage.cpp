@@ -7,6 +7,7 @@ namespace sim {
 
 namespace {
 
+constexpr double kFloorHalf = 200.0; // SMU: beyond what is drawn, so the horizon is level
 constexpr double kWallPlace = 9.0;   // SMU along x
 constexpr double kPlateHalf = 0.6;   // hides any target to its full width
 constexpr double kPlateGap = 0.03;   // SMU between it and the target: both eyes see much the same
@@ -44,8 +45,7 @@ Solid make_target(const TargetChoice &target, const Vec3 &p_world) {
 // A box or a ball of any of the colours, well behind what the eyes look for.
 Solid make_distractor(Random &random) {
     const double size = random.uniform(0.15, 0.6);
-    const Vec3 place(random.uniform(5.5, 8.0), random.uniform(-4.0, 4.0),
-                     random.uniform(1.0, 5.0));
+    const Vec3 place(random.uniform(5.5, 8.0), random.uniform(-4.0, 4.0), random.uniform(1.0, 5.0));
     const auto colour = static_cast<std::size_t>(random.bits() % std::size(kDistractorColours));
     Solid solid = box(place, Vec3(size, size, size), kDistractorColours[colour]);
     solid.shape = random.uniform() < 0.5 ? Shape::kBall : Shape::kBox;
@@ -55,7 +55,7 @@ Solid make_distractor(Random &random) {
 
 void add_background(const Scenario &scenario, Random &random, Drawing &drawing) {
     const bool textured = scenario.background != Background::kPlain;
-    drawing.solids.push_back(box(Vec3(0, 0, -0.5), Vec3(40, 40, 0.5), kFloor));
+    drawing.solids.push_back(box(Vec3(0, 0, -0.5), Vec3(kFloorHalf, kFloorHalf, 0.5), kFloor));
     drawing.solids.back().textured = textured;
     if (textured) {
         drawing.solids.push_back(box(Vec3(kWallPlace + 0.5, 0, 5), Vec3(0.5, 20, 8), kSky));

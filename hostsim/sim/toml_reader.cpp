@@ -83,8 +83,8 @@ double TomlReader::number_of(const toml::node &node, const std::string &key, dou
                              double high, const char *unit) const {
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
     if (!value || !(*value >= low && *value <= high)) {
-        reject_at(node.source(), key, "found " + found(node) + "; expected " +
-                                          range(low, high, unit));
+        reject_at(node.source(), key,
+                  "found " + found(node) + "; expected " + range(low, high, unit));
     }
     return *value;
 }

@@ -48,6 +48,14 @@ double norm_or_none(const std::optional<Vec3> &p, const Vec3 &p_true) {
     return p ? cv::norm(*p - p_true) : kNone;
 }
 
+JointAngles looking_at(double focus) {
+    const double inwards = std::atan(kEyeDistance / 2.0 / focus);
+    JointAngles angles{};
+    angles[kLeftPan] = -inwards;
+    angles[kRightPan] = inwards;
+    return angles;
+}
+
 // The trial as it goes.
 class Run {
   public:
@@ -60,8 +68,11 @@ class Run {
     }
 
     TrialRecord record(TrialPictures *pictures) {
-        look();
-        if (scenario_.gaze == Gaze::kFixate) {
+        if (scenario_.gaze == Gaze::kStill) {
+            world_.head().place(looking_at(scenario_.focus));
+            look();
+        } else {
+            look();
             fixate();
         }
         const double occlusion = occlude(scenario_.occlusion_at(key_.point));
@@ -99,7 +110,9 @@ class Run {
             cli::Image &frame = frame_[side];
             frame = renderer_.picture(drawing_, world_.head().X_world_cam(side));
             add_noise(scenario_.camera.noise,
-                      seed_of(scenario_, key_, mixed_seed(kNoise, static_cast<unsigned>(frames_ * 2 + side))), frame);
+                      seed_of(scenario_, key_,
+                              mixed_seed(kNoise, static_cast<unsigned>(frames_ * 2 + side))),
+                      frame);
             detectors_[side]->look(frame);
         }
         ++frames_;
@@ -173,13 +186,14 @@ class Run {
     MethodRecord measure(Method method, TrialPictures *pictures) {
         Outlines outlines;
         for (const Side side : {kLeft, kRight}) {
-            outlines[side] = find_outline(
-                method, *detectors_[side], seed_of(scenario_, key_, mixed_seed(kResampling, side)));
+            outlines[side] = find_outline(method, *detectors_[side],
+                                          seed_of(scenario_, key_, mixed_seed(kResampling, side)));
         }
         const HeadReading head = reading();
-        const Estimate found = estimate(outlines, head, scenario_.camera.intrinsics,
-                                        scenario_.target.radius);
+        const Estimate found =
+            estimate(outlines, head, scenario_.camera.intrinsics, scenario_.target.radius);
         MethodRecord record{};
+        record.error_encoder = kNone;
         record.method = method;
         record.status = found.status;
         record.votes = std::min(outlines[kLeft].votes, outlines[kRight].votes);
@@ -202,7 +216,9 @@ class Run {
         const Vec3 p = found.p_world.value_or(Vec3(kNone, kNone, kNone));
         std::copy(p.val, p.val + 3, record.p_world);
         record.error = norm_or_none(found.p_world, p_true_);
-        record.error_encoder = norm_or_none(found.p_encoder, p_true_);
+        if (scenario_.gaze == Gaze::kFixate) {
+            record.error_encoder = norm_or_none(found.p_encoder, p_true_);
+        }
         record.error_residual = norm_or_none(found.p_residual, p_true_);
         record.error_debiased = kNone;
         if (scenario_.target.shape == Shape::kDisc) {
@@ -255,8 +271,7 @@ class Run {
 } // namespace
 
 Studio::Studio(const Scenario &scenario)
-    : scenario_(scenario),
-      renderer_(scenario.camera.intrinsics, scenario.camera.supersampling) {
+    : scenario_(scenario), renderer_(scenario.camera.intrinsics, scenario.camera.supersampling) {
     for (auto &detector : detectors_) {
         detector = std::make_unique<Detector>(scenario.camera.intrinsics, scenario.colour,
                                               scenario.min_area);

@@ -20,8 +20,7 @@ std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape &shape, con
 } // namespace
 
 World::World(const BallBody &ball)
-    : dispatcher_(&configuration_),
-      world_(&dispatcher_, &broadphase_, &solver_, &configuration_),
+    : dispatcher_(&configuration_), world_(&dispatcher_, &broadphase_, &solver_, &configuration_),
       floor_shape_(btVector3(0, 0, 1), 0.0), ball_shape_(ball.radius),
       floor_(make_body(0.0, floor_shape_, Vec3())),
       ball_(make_body(ball.mass, ball_shape_, ball.p_world)) {
