@@ -6,6 +6,8 @@
 
 #include "cone_frame.h"
 #include "cone_refine.h"
+#include "cone_samples.h"
+#include "cone_sums.h"
 #include "cone_vote.h"
 #include "int_math.h"
 
@@ -51,7 +53,13 @@ static ocel_status_t guess_of(const ocel_cone_source_t *source, ocel_cone_guess_
     ocel_status_t status = ocel_cone_place(source, &place);
 
     if (status == OCEL_OK) {
-        status = ocel_cone_guess(source, &place, guess);
+        ocel_cone_samples_t samples;
+
+        if (!ocel_cone_sample(source, &place, &samples)) {
+            status = OCEL_OUT_OF_RANGE;
+        } else {
+            status = ocel_cone_elect(&samples, &place, guess) ? OCEL_OK : OCEL_DEGENERATE;
+        }
     }
     return status;
 }
@@ -64,19 +72,27 @@ static ocel_status_t fit(const ocel_camera_t *camera, const ocel_point_t *points
         (void)memset(cone, 0, sizeof(*cone));
     }
     if (status == OCEL_OK) {
-        const ocel_cone_source_t source = {
-            camera, points, cracks, (uint32_t)count,
-            (int32_t)ocel_asr64(
-                (int64_t)camera->intrinsics.fx_px_q16 + camera->intrinsics.fy_px_q16, 1U)};
+        ocel_cone_source_t source = {camera,
+                                     points,
+                                     cracks,
+                                     (uint32_t)count,
+                                     false,
+                                     (int32_t)ocel_asr64((int64_t)camera->intrinsics.fx_px_q16 +
+                                                             camera->intrinsics.fy_px_q16,
+                                                         1U)};
         ocel_cone_guess_t guess;
 
+        source.plain = ocel_cone_is_plain(&source);
         status = guess_of(&source, &guess);
         if (status == OCEL_OK) {
+            ocel_cone_sums_t sums;
             ocel_cone_evidence_t evidence;
 
-            if (!ocel_cone_refine(&source, &guess, cone, &evidence)) {
+            if (!ocel_cone_sum(&source, &guess, &sums)) {
                 status = OCEL_OUT_OF_RANGE;
             } else {
+                ocel_cone_refine(&sums, &guess, cone, &evidence);
+                cone->point_count = source.count;
                 status = is_vouched(cone, &evidence) ? OCEL_OK : OCEL_PARTIAL;
             }
         }

@@ -11,51 +11,28 @@
 /* The least spread: 2^-14 rad. */
 #define SPREAD_LOG2_MAX 14U
 
-/* Point i, Q16 px. */
-static void pixel_of(const ocel_cone_source_t *source, uint32_t i, int32_t xy_px_q16[2]) {
-    if (source->points != NULL) {
-        xy_px_q16[0] = source->points[i].x_px_q16;
-        xy_px_q16[1] = source->points[i].y_px_q16;
-    } else {
-        xy_px_q16[0] = (int32_t)source->cracks[i].x_hpx * 32768;
-        xy_px_q16[1] = (int32_t)source->cracks[i].y_hpx * 32768;
-    }
-}
-
-/* The points' mean, floored.  Coordinates are made positive by 2^31 for the
- * division: sums are below 2^32 * 2^14. */
-static void mean_of(const ocel_cone_source_t *source, int32_t mean_px_q16[2]) {
+/* The samples' mean, floored, and the mean of |x - mean| + |y - mean|, Q16 px, below
+ * 2^33: 1.27 R for a whole circle.  Magnitudes and not squares: one stray point far
+ * away must not make the ball small. */
+static uint64_t spread_of(const ocel_cone_source_t *source, int32_t mean_px_q16[2]) {
     int64_t sum[2] = {0, 0};
+    uint64_t deviation = 0U;
 
-    for (uint32_t i = 0U; i < source->count; i++) { /* bound: count <= OCEL_MAX_FIT_POINTS */
-        int32_t xy_px_q16[2];
+    for (uint32_t pass = 0U; pass < 2U; pass++) {           /* bound: 2 */
+        for (uint32_t k = 0U; k < OCEL_CONE_SAMPLES; k++) { /* bound: OCEL_CONE_SAMPLES = 32 */
+            int32_t xy_px_q16[2];
 
-        pixel_of(source, i, xy_px_q16);
-        sum[0] += xy_px_q16[0];
-        sum[1] += xy_px_q16[1];
+            ocel_cone_pixel(source, (k * source->count) / OCEL_CONE_SAMPLES, xy_px_q16);
+            sum[0] += (pass == 0U) ? xy_px_q16[0] : 0;
+            sum[1] += (pass == 0U) ? xy_px_q16[1] : 0;
+            deviation += (pass == 0U) ? 0U
+                                      : (ocel_abs64((int64_t)xy_px_q16[0] - mean_px_q16[0]) +
+                                         ocel_abs64((int64_t)xy_px_q16[1] - mean_px_q16[1]));
+        }
+        mean_px_q16[0] = (int32_t)ocel_asr64(sum[0], 5U); /* 32 samples */
+        mean_px_q16[1] = (int32_t)ocel_asr64(sum[1], 5U);
     }
-    for (uint32_t k = 0U; k < 2U; k++) { /* bound: 2 */
-        const int64_t shifted = sum[k] + ocel_shl64((int64_t)source->count, 31U);
-        const uint64_t mean = ocel_udiv64((uint64_t)shifted, (uint64_t)source->count);
-
-        mean_px_q16[k] = (int32_t)((int64_t)mean - ((int64_t)1 << 31U));
-    }
-}
-
-/* The mean of |x - mean| + |y - mean|, Q16 px, below 2^33: 1.27 R for a whole
- * circle.  Sums of magnitudes and not of squares: one stray point far away must
- * not make the ball small. */
-static uint64_t deviation_q16(const ocel_cone_source_t *source, const int32_t mean_px_q16[2]) {
-    uint64_t sum = 0U;
-
-    for (uint32_t i = 0U; i < source->count; i++) { /* bound: count <= OCEL_MAX_FIT_POINTS */
-        int32_t xy_px_q16[2];
-
-        pixel_of(source, i, xy_px_q16);
-        sum += ocel_abs64((int64_t)xy_px_q16[0] - mean_px_q16[0]) +
-               ocel_abs64((int64_t)xy_px_q16[1] - mean_px_q16[1]);
-    }
-    return ocel_udiv64(sum, (uint64_t)source->count);
+    return deviation >> 5U;
 }
 
 uint64_t ocel_cone_stretch_q26(int32_t z_q30) {
@@ -73,7 +50,7 @@ static bool scale_place(const ocel_cone_source_t *source, uint64_t deviation,
     const int64_t inverse_f_q30 = ocel_asr64(
         source->camera->axis[0].inverse_f_q60 + source->camera->axis[1].inverse_f_q60, 31U);
     const uint32_t log2 = ocel_ceil_log2(deviation * (uint64_t)inverse_f_q30);
-    const uint64_t stretch_q26 = ocel_cone_stretch_q26(place->frame.r_q30[2][2]);
+    const uint64_t stretch_q26 = ocel_cone_stretch_q26(place->axis_cam_q30[2]);
     uint64_t h_px_q16;
 
     place->spread_log2 = (log2 >= 46U) ? 0U : (46U - log2);
@@ -85,18 +62,16 @@ static bool scale_place(const ocel_cone_source_t *source, uint64_t deviation,
 ocel_status_t ocel_cone_place(const ocel_cone_source_t *source, ocel_cone_place_t *place) {
     int32_t mean_px_q16[2];
     int32_t xy_q28[2];
+    uint64_t deviation;
     ocel_status_t status = OCEL_OUT_OF_RANGE;
 
-    mean_of(source, mean_px_q16);
+    deviation = spread_of(source, mean_px_q16);
     if (ocel_camera_normalise(source->camera, mean_px_q16[0], mean_px_q16[1], xy_q28)) {
         static const ocel_cone_frame_t camera = {
             {{0x40000000, 0, 0}, {0, 0x40000000, 0}, {0, 0, 0x40000000}}};
-        int32_t axis_cam_q30[3];
 
-        ocel_cone_turn(&camera, xy_q28[0], xy_q28[1], axis_cam_q30);
-        ocel_cone_frame(axis_cam_q30, &place->frame);
-        status = scale_place(source, deviation_q16(source, mean_px_q16), place) ? OCEL_OK
-                                                                                : OCEL_DEGENERATE;
+        ocel_cone_turn(&camera, xy_q28[0], xy_q28[1], place->axis_cam_q30);
+        status = scale_place(source, deviation, place) ? OCEL_OK : OCEL_DEGENERATE;
     }
     return status;
 }
@@ -147,24 +122,73 @@ void ocel_cone_turn(const ocel_cone_frame_t *frame, int32_t x_q28, int32_t y_q28
     }
 }
 
-/* A sum of three products is a rotated vector's number: below 5.8 in Q58, 2^60.6. */
-bool ocel_cone_ray(const ocel_cone_source_t *source, const ocel_cone_frame_t *frame, uint32_t i,
-                   int32_t p_cam_q28[3], int32_t p_q28[3]) {
-    int32_t xy_px_q16[2];
-    bool seen;
+/* A coordinate enters the box's side: low, high. */
+static inline void widen(int32_t side[2], int32_t v) {
+    side[0] = (v < side[0]) ? v : side[0];
+    side[1] = (v > side[1]) ? v : side[1];
+}
 
-    pixel_of(source, i, xy_px_q16);
-    p_cam_q28[2] = ONE_Q28;
-    seen = ocel_camera_normalise(source->camera, xy_px_q16[0], xy_px_q16[1], p_cam_q28);
-    if (seen) {
-        for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 */
-            const int32_t *r_q30 = frame->r_q30[k];
-            const int64_t sum_q58 = ((int64_t)r_q30[0] * p_cam_q28[0]) +
-                                    ((int64_t)r_q30[1] * p_cam_q28[1]) +
-                                    ((int64_t)r_q30[2] * ONE_Q28);
+/* The points' box, Q16 px; cracks are compared as they are, for speed. */
+static void box_of(const ocel_cone_source_t *source, int32_t x_px_q16[2], int32_t y_px_q16[2]) {
+    int32_t x[2] = {INT32_MAX, INT32_MIN};
+    int32_t y[2] = {INT32_MAX, INT32_MIN};
+    const int32_t unit_q16 = (source->points != NULL) ? 1 : 32768;
 
-            p_q28[k] = (int32_t)ocel_shift_round64(sum_q58, 30U);
+    if (source->points != NULL) {
+        for (uint32_t i = 0U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
+            widen(x, source->points[i].x_px_q16);
+            widen(y, source->points[i].y_px_q16);
+        }
+    } else {
+        for (uint32_t i = 0U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
+            widen(x, source->cracks[i].x_hpx);
+            widen(y, source->cracks[i].y_hpx);
         }
     }
-    return seen;
+    for (uint32_t k = 0U; k < 2U; k++) { /* bound: 2 */
+        x_px_q16[k] = x[k] * unit_q16;
+        y_px_q16[k] = y[k] * unit_q16;
+    }
+}
+
+bool ocel_cone_is_plain(const ocel_cone_source_t *source) {
+    bool plain = !source->camera->distorted;
+    int32_t x_px_q16[2];
+    int32_t y_px_q16[2];
+
+    box_of(source, x_px_q16, y_px_q16);
+    for (uint32_t k = 0U; k < 4U; k++) { /* bound: 4 */
+        int32_t xy_q28[2];
+
+        plain = plain &&
+                ocel_camera_normalise(source->camera, x_px_q16[k & 1U], y_px_q16[k >> 1U], xy_q28);
+    }
+    return plain;
+}
+
+/* A row's entry times 1 / f <= 1/16, Q42, times a pixel in Q16 is in Q58; a pixel is
+ * within 2^14, so what the product's floor loses is below 2^-28. */
+void ocel_cone_map(const ocel_cone_source_t *source, const int32_t axis_cam_q30[3],
+                   int64_t side_q30, int64_t depth_q30, ocel_cone_map_t *map) {
+    ocel_cone_frame_t frame;
+
+    ocel_cone_frame(axis_cam_q30, &frame);
+    for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 */
+        const int64_t rate_q30 = (k < 2U) ? side_q30 : depth_q30;
+
+        map->g[k][2] = (uint64_t)(ocel_shift_round64(frame.r_q30[k][2] * rate_q30, 2U));
+        for (uint32_t j = 0U; j < 2U; j++) { /* bound: 2 */
+            const ocel_camera_axis_t *axis = &source->camera->axis[j];
+            const int64_t g_q60 = frame.r_q30[k][j] * rate_q30;
+
+            if (source->plain) {
+                const int64_t inverse_f_q42 = ocel_shift_round64(axis->inverse_f_q60, 18U);
+
+                map->g[k][j] = (uint64_t)ocel_mul_q60(g_q60, inverse_f_q42);
+                map->g[k][2] -= map->g[k][j] * (uint64_t)(int64_t)axis->c_px_q16;
+            } else {
+                map->g[k][j] = (uint64_t)ocel_shift_round64(g_q60, 30U);
+            }
+        }
+    }
 }

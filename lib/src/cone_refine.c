@@ -1,15 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * In the frame of the guess's axis the outline is X^2 + Y^2 = (t Z)^2, t the tangent.
- * With X and Y over t z0 and Z over z0, z0 = 1 / (the axis's z in the camera), it is a
- * circle of radius 1 wherever the ball is in the image, rays need no root to be
- * put there, and one unit of it is R = f t z0^2 px.  A point's distance from it, d, is
- * in px, by the second order of a = (X^2 + Y^2 - Z^2) / 2, d = a - a^2 / 2; a step of
- * Gauss and Newton in (x, y, radius) from a guess that is off by g px leaves g^2 / R.
- *
- * Sums are kept by sector: they give the normal equations with each point's direction
- * rounded to its sector's middle, which loses no more than 1/300 of the precision (its
- * cosine's square, averaged), and the arc and the residuals' bends as well.
+ * A step of Gauss and Newton in (x, y, radius), from a guess that is off by g px, leaves
+ * g^2 / R.
  */
 #include "cone_refine.h"
 
@@ -18,18 +10,7 @@
 #include "int_math.h"
 #include "q60.h"
 #include "scale.h"
-#include "sector.h"
 #include "sym3.h"
-
-/* An inlier is within GATE_SIGMAS of the samples' scatter, but at least .6 px (the
- * midpoint of a crack of a sharp mask is within .5), at most 1.5 px, and at most a
- * quarter of the radius. */
-#define GATE_SIGMAS 3U
-#define GATE_MIN_PX_Q16 39322U
-#define GATE_MAX_PX_Q16 98304U
-
-/* |X|, |Y| are cut off at 15. */
-#define SIDE_MAX_Q24 ((int64_t)15 << 24U)
 
 /* Neighbouring cracks err alike: the variance of a mean of n is twice that of n
  * independent errors, and more when the residuals bend. */
@@ -45,27 +26,6 @@
 /* 1.0: the variance of what is not known. */
 #define UNKNOWN_Q60 OCEL_Q60_ONE
 
-/* The map to the unit circle. */
-typedef struct {
-    ocel_cone_frame_t frame;
-    int64_t side_q30; /* 1 / (t z0) * 2^-side_e */
-    int32_t side_e;
-    int32_t depth_q30; /* 1 / z0 */
-    int32_t r_px_q16;  /* of the outline, up to 2^30 */
-    int32_t gate_px_q16;
-} map_t;
-
-/* Sums over points, by sector.  |d| <= 1.5 px, so the sum of OCEL_MAX_FIT_POINTS is at
- * most 1.5 * 2^30. */
-typedef struct {
-    int32_t d_px_q16[OCEL_SECTORS];
-    uint16_t inliers[OCEL_SECTORS];
-    uint16_t others[OCEL_SECTORS];
-    int64_t squares_q32;
-    uint32_t inlier_count;
-    uint32_t outside;
-} sums_t;
-
 /* The cosine of a sector's middle, Q14; its sine is that of eight sectors before. */
 static const int16_t cosine_q14[OCEL_SECTORS] = {
     16305,  15679,  14449,  12665,  10394,  7723,   4756,   1606,   -1606,  -4756,  -7723,
@@ -76,82 +36,14 @@ static int32_t sine_q14(uint32_t sector) {
     return cosine_q14[(sector + 24U) % OCEL_SECTORS];
 }
 
-static void map_of(const ocel_cone_source_t *source, const ocel_cone_guess_t *guess, map_t *map) {
-    const int32_t z_q30 = guess->axis_cam_q30[2];
-    const int64_t tan_px_q16 = ocel_asr64(source->f_px_q16 * ocel_asr64(guess->tan_q46, 16U), 30U);
-    const uint64_t r_px_q16 = ((uint64_t)tan_px_q16 * ocel_cone_stretch_q26(z_q30)) >> 26U;
-    uint32_t gate = GATE_SIGMAS * guess->rms_px_q16;
-    int64_t y_q60;
-
-    ocel_cone_frame(guess->axis_cam_q30, &map->frame);
-    ocel_recip_q60((uint64_t)guess->tan_q46 << 14U, &y_q60, &map->side_e);
-    map->side_q30 = ocel_asr64(ocel_mul_q60(y_q60, (int64_t)z_q30 * 0x40000000), 30U);
-    map->depth_q30 = z_q30;
-    map->r_px_q16 = (int32_t)((r_px_q16 > 0x40000000U) ? 0x40000000U : r_px_q16);
-    gate = (gate < GATE_MIN_PX_Q16) ? GATE_MIN_PX_Q16 : gate;
-    gate = (gate > GATE_MAX_PX_Q16) ? GATE_MAX_PX_Q16 : gate;
-    gate = (gate > ((uint32_t)map->r_px_q16 / 4U)) ? ((uint32_t)map->r_px_q16 / 4U) : gate;
-    map->gate_px_q16 = (int32_t)gate;
-}
-
 static int64_t within(int64_t v, int64_t most) {
     return (v > most) ? most : ((v < -most) ? -most : v);
 }
 
-/* A ray's place beside the unit circle: its direction, and its distance in px, cut
- * off at R inside and R / 2 outside.  X in Q24: a number below 5.8 in Q28 times one below 1
- * in Q30 is below 2^60.6. */
-static int32_t distance_px_q16(const map_t *map, const int32_t p_q28[3], int64_t side_q24[2]) {
-    const int64_t z_q24 = ocel_asr64((int64_t)p_q28[2] * map->depth_q30, 34U);
-    int64_t a_q28;
-    int64_t a_px_q16;
-
-    for (uint32_t k = 0U; k < 2U; k++) { /* bound: 2 */
-        side_q24[k] = within(ocel_asr64(p_q28[k] * map->side_q30, (uint32_t)(34 - map->side_e)),
-                             SIDE_MAX_Q24);
-    }
-    a_q28 = within(
-        ocel_asr64((side_q24[0] * side_q24[0]) + (side_q24[1] * side_q24[1]) - (z_q24 * z_q24),
-                   21U),
-        (int64_t)1 << 28U);
-    a_px_q16 = ocel_asr64(a_q28 * map->r_px_q16, 28U);
-    return (int32_t)(a_px_q16 - ocel_asr64(a_px_q16 * a_q28, 29U));
-}
-
-static bool sum_points(const ocel_cone_source_t *source, const map_t *map, sums_t *sums) {
-    bool seen = true;
-
-    (void)memset(sums, 0, sizeof(*sums));
-    for (uint32_t i = 0U; seen && (i < source->count); i++) { /* bound: OCEL_MAX_FIT_POINTS */
-        int32_t p_cam_q28[3];
-        int32_t p_q28[3];
-
-        seen = ocel_cone_ray(source, &map->frame, i, p_cam_q28, p_q28);
-        if (seen) {
-            int64_t side_q24[2];
-            const int32_t d_px_q16 = distance_px_q16(map, p_q28, side_q24);
-            const uint32_t sector = ocel_sector_of(side_q24[0], side_q24[1]);
-
-            if ((d_px_q16 >= -map->gate_px_q16) && (d_px_q16 <= map->gate_px_q16)) {
-                sums->inliers[sector]++;
-                sums->d_px_q16[sector] += d_px_q16;
-                sums->squares_q32 += (int64_t)d_px_q16 * d_px_q16;
-                sums->inlier_count++;
-            } else {
-                sums->others[sector]++;
-                sums->outside += (d_px_q16 > 0) ? 1U : 0U;
-            }
-        }
-    }
-    return seen;
-}
-
-/* The normal equations, over the power of two above the inliers' count: a square of a
- * cosine is 2^28, a distance at most 1.5 px. */
-static void normal_of(const sums_t *sums, int64_t m_q60[OCEL_SYM3_COUNT], int64_t b_q60[3]) {
+/* The normal equations, Q60, over the power of two above the inliers' count: a square
+ * of a cosine is 2^28, a distance at most 1.5 px.  m and b are zero before. */
+static void normal_of(const ocel_cone_sums_t *sums, int64_t m[OCEL_SYM3_COUNT], int64_t b[3]) {
     const uint32_t down = ocel_ceil_log2((uint64_t)sums->inlier_count); /* <= 14 */
-    int64_t m_q28[OCEL_SYM3_COUNT] = {0, 0, 0, 0, 0, 0};
-    int64_t b_q30[3] = {0, 0, 0};
 
     for (uint32_t k = 0U; k < OCEL_SECTORS; k++) { /* bound: OCEL_SECTORS = 32 */
         const int64_t n = sums->inliers[k];
@@ -159,21 +51,21 @@ static void normal_of(const sums_t *sums, int64_t m_q60[OCEL_SYM3_COUNT], int64_
         const int32_t c = cosine_q14[k];
         const int32_t s = sine_q14(k);
 
-        m_q28[OCEL_XX] += n * (c * c);
-        m_q28[OCEL_XY] += n * (c * s);
-        m_q28[OCEL_XZ] += n * (c * 16384);
-        m_q28[OCEL_YY] += n * (s * s);
-        m_q28[OCEL_YZ] += n * (s * 16384);
-        m_q28[OCEL_ZZ] += n * 0x10000000;
-        b_q30[0] += d * c;
-        b_q30[1] += d * s;
-        b_q30[2] += d * 16384;
+        m[OCEL_XX] += n * (c * c);
+        m[OCEL_XY] += n * (c * s);
+        m[OCEL_XZ] += n * (c * 16384);
+        m[OCEL_YY] += n * (s * s);
+        m[OCEL_YZ] += n * (s * 16384);
+        m[OCEL_ZZ] += n * 0x10000000;
+        b[0] += d * c;
+        b[1] += d * s;
+        b[2] += d * 16384;
     }
     for (uint32_t k = 0U; k < (uint32_t)OCEL_SYM3_COUNT; k++) { /* bound: 6 */
-        m_q60[k] = ocel_shl64(m_q28[k], 32U - down);
+        m[k] = ocel_shl64(m[k], 32U - down);
     }
     for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 */
-        b_q60[k] = ocel_shl64(b_q30[k], (30U - UNIT_LOG2) - down);
+        b[k] = ocel_shl64(b[k], (30U - UNIT_LOG2) - down);
     }
 }
 
@@ -184,7 +76,7 @@ typedef struct {
     uint64_t points_q24;
 } rest_t;
 
-static rest_t rest_of(const sums_t *sums, const int64_t x_q60[3]) {
+static rest_t rest_of(const ocel_cone_sums_t *sums, const int64_t x_q60[3]) {
     int64_t explained_q32 = 0;
     rest_t rest = {0U, 0U};
     int32_t x_q24[3]; /* px */
@@ -256,13 +148,13 @@ static void rotate_covariance(const ocel_cone_frame_t *frame, int64_t local_q60[
 /* The variance of a point's distance times what makes it the centre's: over
  * (count - 3), the power of two of the normal equations, their determinant, R^2
  * and (1 + t^2)^2. */
-static ocel_scaled_t variance_of(const sums_t *sums, const rest_t *rest, const map_t *map,
+static ocel_scaled_t variance_of(const ocel_cone_sums_t *sums, const rest_t *rest,
                                  const ocel_sym3_inverse_t *inverse, int64_t open_q60) {
     const uint64_t most =
         ((rest->points_q24 > rest->sectors_q24) ? rest->points_q24 : rest->sectors_q24) | 1U;
     const uint32_t shift = ocel_clz64(most) - 4U; /* most < 2^60 */
     const uint32_t down = ocel_ceil_log2((uint64_t)sums->inlier_count);
-    ocel_scaled_t rate = inverse_of((uint64_t)map->r_px_q16 << 30U); /* 2^14 / R */
+    ocel_scaled_t rate = inverse_of((uint64_t)sums->r_px_q16 << 30U); /* 2^14 / R */
     const ocel_scaled_t open = inverse_of((uint64_t)open_q60);
     const ocel_scaled_t numerator = {ocel_signed64(most << shift),
                                      (37 - (int32_t)shift) - (15 + 28 + (int32_t)down)};
@@ -309,18 +201,18 @@ static int64_t over_radius(int64_t x_q60, int32_t r_px_q16) {
 }
 
 /* The guess moved by x: its axis and its tangent, Q60 and at most 3/2. */
-static int64_t step_of(const map_t *map, int64_t tan_q60, int64_t open_q60, const int64_t x_q60[3],
-                       int32_t axis_cam_q30[3]) {
+static int64_t step_of(const ocel_cone_frame_t *frame, int32_t r_px_q16, int64_t tan_q60,
+                       int64_t open_q60, const int64_t x_q60[3], int32_t axis_cam_q30[3]) {
     const ocel_scaled_t open = inverse_of((uint64_t)open_q60);
     const int64_t gain_q60 = ocel_scale_q60(ocel_mul_q60(tan_q60, open.y_q60), open.e);
     int32_t turn_q28[2];
 
     for (uint32_t k = 0U; k < 2U; k++) { /* bound: 2 */
         turn_q28[k] = (int32_t)ocel_shift_round64(
-            ocel_mul_q60(over_radius(x_q60[k], map->r_px_q16), gain_q60), 32U);
+            ocel_mul_q60(over_radius(x_q60[k], r_px_q16), gain_q60), 32U);
     }
-    ocel_cone_turn(&map->frame, turn_q28[0], turn_q28[1], axis_cam_q30);
-    return tan_q60 + ocel_mul_q60(tan_q60, over_radius(x_q60[2], map->r_px_q16));
+    ocel_cone_turn(frame, turn_q28[0], turn_q28[1], axis_cam_q30);
+    return tan_q60 + ocel_mul_q60(tan_q60, over_radius(x_q60[2], r_px_q16));
 }
 
 /* sin = tan / sqrt(1 + tan^2). */
@@ -333,7 +225,7 @@ static uint32_t sine_of(int64_t tan_q60) {
 }
 
 /* The sectors in which inliers are the most, and the gaps that so few of them leave. */
-static uint32_t sectors_of(const sums_t *sums) {
+static uint32_t sectors_of(const ocel_cone_sums_t *sums) {
     uint32_t hit = 0U;
 
     for (uint32_t k = 0U; k < OCEL_SECTORS; k++) { /* bound: OCEL_SECTORS = 32 */
@@ -344,19 +236,19 @@ static uint32_t sectors_of(const sums_t *sums) {
 
 /* The step, the residual and the covariance; what cannot be solved leaves the guess,
  * with a covariance of 1. */
-static void solve(const sums_t *sums, const map_t *map, const ocel_cone_guess_t *guess,
-                  ocel_cone_t *cone, ocel_cone_evidence_t *evidence) {
+static void solve(const ocel_cone_sums_t *sums, const ocel_cone_guess_t *guess, ocel_cone_t *cone,
+                  ocel_cone_evidence_t *evidence) {
     int64_t tan_q60 = ocel_shl64(guess->tan_q46, 14U);
     const int64_t open_q60 = OCEL_Q60_ONE + ocel_mul_q60(tan_q60, tan_q60);
     int64_t x_q60[3] = {0, 0, 0};
-    int64_t m_q60[OCEL_SYM3_COUNT];
-    int64_t b_q60[3];
+    int64_t m_q60[OCEL_SYM3_COUNT] = {0, 0, 0, 0, 0, 0};
+    int64_t b_q60[3] = {0, 0, 0};
     ocel_sym3_inverse_t inverse;
     rest_t rest;
     bool known;
 
     normal_of(sums, m_q60, b_q60);
-    known = (sums->inlier_count > 3U) && (map->r_px_q16 >= 0x10000) &&
+    known = (sums->inlier_count > 3U) && (sums->r_px_q16 >= 0x10000) &&
             ocel_sym3_invert(m_q60, &inverse) && ocel_sym3_apply(&inverse, b_q60, x_q60);
     rest = rest_of(sums, x_q60);
     evidence->bent =
@@ -364,9 +256,12 @@ static void solve(const sums_t *sums, const map_t *map, const ocel_cone_guess_t 
     if (known) {
         const int64_t guess_q60 = tan_q60;
 
-        tan_q60 = step_of(map, guess_q60, open_q60, x_q60, cone->axis_cam_q30);
-        known = covariance_of(&map->frame, guess_q60, &inverse,
-                              variance_of(sums, &rest, map, &inverse, open_q60), cone, evidence);
+        ocel_cone_frame_t frame;
+
+        ocel_cone_frame(guess->axis_cam_q30, &frame);
+        tan_q60 = step_of(&frame, sums->r_px_q16, guess_q60, open_q60, x_q60, cone->axis_cam_q30);
+        known = covariance_of(&frame, guess_q60, &inverse,
+                              variance_of(sums, &rest, &inverse, open_q60), cone, evidence);
     }
     if (!known) {
         cone->cov_q60[OCEL_XX] = UNKNOWN_Q60;
@@ -376,27 +271,19 @@ static void solve(const sums_t *sums, const map_t *map, const ocel_cone_guess_t 
     }
     cone->sin_q30 = sine_of(tan_q60);
     if (sums->inlier_count > 0U) {
-        cone->rms_px_q16 =
-            ocel_isqrt64(ocel_udiv64(rest.points_q24 << 8U, (uint64_t)sums->inlier_count));
+        const uint64_t square_q32 =
+            ocel_udiv64(rest.points_q24 << 8U, (uint64_t)sums->inlier_count);
+
+        cone->rms_px_q16 = (uint32_t)ocel_asr64(ocel_sqrt_q60(square_q32), 30U);
     }
 }
 
-bool ocel_cone_refine(const ocel_cone_source_t *source, const ocel_cone_guess_t *guess,
+void ocel_cone_refine(const ocel_cone_sums_t *sums, const ocel_cone_guess_t *guess,
                       ocel_cone_t *cone, ocel_cone_evidence_t *evidence) {
-    map_t map;
-    sums_t sums;
-    bool seen;
-
-    map_of(source, guess, &map);
-    seen = sum_points(source, &map, &sums);
-    if (seen) {
-        (void)memcpy(cone->axis_cam_q30, guess->axis_cam_q30, sizeof(cone->axis_cam_q30));
-        cone->point_count = source->count;
-        cone->inlier_count = sums.inlier_count;
-        evidence->outside = sums.outside;
-        evidence->sectors = sectors_of(&sums);
-        cone->arc_coverage_q16 = evidence->sectors * (65536U / OCEL_SECTORS);
-        solve(&sums, &map, guess, cone, evidence);
-    }
-    return seen;
+    (void)memcpy(cone->axis_cam_q30, guess->axis_cam_q30, sizeof(cone->axis_cam_q30));
+    cone->inlier_count = sums->inlier_count;
+    evidence->outside = sums->outside;
+    evidence->sectors = sectors_of(sums);
+    cone->arc_coverage_q16 = evidence->sectors * (65536U / OCEL_SECTORS);
+    solve(sums, guess, cone, evidence);
 }

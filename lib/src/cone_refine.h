@@ -10,7 +10,7 @@
 
 #include <ocellus/cone.h>
 
-#include "cone_frame.h"
+#include "cone_sums.h"
 #include "cone_vote.h"
 
 /* What the status is decided by, beside the cone itself. */
@@ -21,9 +21,9 @@ typedef struct {
     int64_t range_sigma2_q60; /* variance of the range over its square */
 } ocel_cone_evidence_t;
 
-/* One step of least squares from the guess on all points near its outline.  Writes the
- * whole of the cone.  False when the camera refuses a point. */
-bool ocel_cone_refine(const ocel_cone_source_t *source, const ocel_cone_guess_t *guess,
+/* One step of least squares from the guess.  Writes all of the cone but its point
+ * count. */
+void ocel_cone_refine(const ocel_cone_sums_t *sums, const ocel_cone_guess_t *guess,
                       ocel_cone_t *cone, ocel_cone_evidence_t *evidence);
 
 #endif

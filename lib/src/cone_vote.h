@@ -6,11 +6,11 @@
 #ifndef OCELLUS_CONE_VOTE_H
 #define OCELLUS_CONE_VOTE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
-#include <ocellus/status.h>
-
 #include "cone_frame.h"
+#include "cone_samples.h"
 
 /* A cone about an axis, and the scatter of the points that gave it. */
 typedef struct {
@@ -19,9 +19,8 @@ typedef struct {
     uint32_t rms_px_q16; /* below 2 px */
 } ocel_cone_guess_t;
 
-/* OCEL_OK, OCEL_OUT_OF_RANGE (the camera refuses a point), OCEL_DEGENERATE (no three
- * of the samples determine a cone of at most 90 degrees). */
-ocel_status_t ocel_cone_guess(const ocel_cone_source_t *source, const ocel_cone_place_t *place,
-                              ocel_cone_guess_t *guess);
+/* False when no three of the samples determine a cone of at most 90 degrees. */
+bool ocel_cone_elect(const ocel_cone_samples_t *samples, const ocel_cone_place_t *place,
+                     ocel_cone_guess_t *guess);
 
 #endif
