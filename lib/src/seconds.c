@@ -13,10 +13,10 @@ int64_t ocel_times(int64_t a, int64_t b, int32_t e) {
     const int32_t n = (int32_t)ocel_clz64(ocel_abs64(a) | 1U) - 3;
     const int64_t product = ocel_mul_q60(ocel_shl64(a, (uint32_t)n), b);
     const int32_t shift = (e + 60) - n;
-    const uint32_t room = (shift > 0) ? (uint32_t)60 - (uint32_t)shift : 63U;
+    const int32_t room = (shift < -2) ? 62 : (60 - shift);
     int64_t result;
 
-    if ((ocel_abs64(product) >> room) != 0U) {
+    if ((ocel_abs64(product) >> (uint32_t)room) != 0U) {
         result = (product < 0) ? -LARGEST : LARGEST;
     } else {
         /* A product below 2^62 leaves nothing after a shift by 63. */
