@@ -455,7 +455,8 @@ static void one_eye_leads_and_vergence_rests(void) {
 static void unseen_it_comes_to_rest(void) {
     const robot_t *const robot = &ROBOTS[1];
     ocel_gaze_t gaze = gaze_of(robot);
-    const int32_t joints[OCEL_JOINT_COUNT] = {0};
+    /* Eyes off their middle, which the neck would follow. */
+    const int32_t joints[OCEL_JOINT_COUNT] = {0, 0, 0, 50000000, 100000000, 0};
     ocel_gaze_error_t errors[OCEL_EYE_COUNT] = {{true, 200000000, 100000000},
                                                 {true, 100000000, 100000000}};
     int32_t last[OCEL_JOINT_COUNT];
@@ -463,8 +464,8 @@ static void unseen_it_comes_to_rest(void) {
     for (; time < 300000; time += 30000) {
         TEST_ASSERT_EQUAL(OCEL_OK, ocel_gaze_update(&gaze, time, errors, joints, last));
     }
-    for (int i = 2; i < OCEL_JOINT_COUNT; i++) {
-        TEST_ASSERT_TRUE((last[i] != 0) || (i == OCEL_NECK_YAW));
+    for (int i = 0; i < OCEL_JOINT_COUNT; i++) {
+        TEST_ASSERT_TRUE((last[i] != 0) || (i == OCEL_NECK_ROLL));
     }
     memset(errors, 0, sizeof(errors));
     for (; time < 600000; time += 10000) {
@@ -518,6 +519,62 @@ static void nothing_winds_up(void) {
     errors[1].down_q32 = 50000000;
     TEST_ASSERT_EQUAL(OCEL_OK, ocel_gaze_update(&gaze, time, errors, joints, command));
     TEST_ASSERT_TRUE(command[OCEL_EYES_TILT] < -200000000);
+}
+
+/* One second of small errors that persist, in all directions. */
+static ocel_gaze_t integrated(int64_t *time) {
+    ocel_gaze_config_t config = *ROBOTS[0].config;
+    const ocel_gaze_error_t small[OCEL_EYE_COUNT] = {{true, 15000000, 10000000},
+                                                     {true, 5000000, 10000000}};
+    const int32_t joints[OCEL_JOINT_COUNT] = {0};
+    int32_t command[OCEL_JOINT_COUNT];
+    ocel_gaze_t gaze;
+    config.neck_gain_q16 = 0;
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_gaze_init(&gaze, ROBOTS[0].model, &config));
+    for (*time = 0; *time < 1000000; *time += FRAME_US) {
+        TEST_ASSERT_EQUAL(OCEL_OK, ocel_gaze_update(&gaze, *time, small, joints, command));
+    }
+    return gaze;
+}
+
+/* Frames of `before`, then the command without an error: what the integral is still. */
+static void check_forgotten(const ocel_gaze_error_t before[OCEL_EYE_COUNT], int frames,
+                            bool vergence_only) {
+    const ocel_gaze_error_t none[OCEL_EYE_COUNT] = {{true, 0, 0}, {true, 0, 0}};
+    const int32_t joints[OCEL_JOINT_COUNT] = {0};
+    int32_t command[OCEL_JOINT_COUNT];
+    int64_t time;
+    ocel_gaze_t gaze = integrated(&time);
+    for (int frame = 0; frame < frames; frame++) {
+        (void)ocel_gaze_update(&gaze, time, before, joints, command);
+        time += FRAME_US;
+    }
+    for (int frame = 0; frame < 2; frame++) {
+        (void)ocel_gaze_update(&gaze, time, none, joints, command);
+        time += FRAME_US;
+    }
+    for (int i = vergence_only ? OCEL_EYES_VERGENCE : 0; i < OCEL_JOINT_COUNT; i++) {
+        TEST_ASSERT_TRUE(abs(command[i]) <= 1);
+    }
+}
+
+static void the_integral_is_forgotten(void) {
+    const ocel_gaze_error_t none[OCEL_EYE_COUNT] = {{true, 0, 0}, {true, 0, 0}};
+    const ocel_gaze_error_t unseen[OCEL_EYE_COUNT] = {{false, 0, 0}, {false, 0, 0}};
+    const ocel_gaze_error_t one[OCEL_EYE_COUNT] = {{true, 0, 0}, {false, 0, 0}};
+    const ocel_gaze_error_t large[OCEL_EYE_COUNT] = {{true, 300000000, 300000000},
+                                                     {true, -300000000, 300000000}};
+    const int32_t joints[OCEL_JOINT_COUNT] = {0};
+    int32_t command[OCEL_JOINT_COUNT];
+    int64_t time;
+    ocel_gaze_t gaze = integrated(&time);
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_gaze_update(&gaze, time, none, joints, command));
+    TEST_ASSERT_TRUE(command[OCEL_EYES_TILT] < -50000000);
+    TEST_ASSERT_TRUE(command[OCEL_EYES_VERSION] < -50000000);
+    TEST_ASSERT_TRUE(command[OCEL_EYES_VERGENCE] > 50000000);
+    check_forgotten(unseen, 10, false);
+    check_forgotten(one, 10, true);
+    check_forgotten(large, 40, true);
 }
 
 /* A target that moves evenly is followed closer with the integral than without. */
@@ -722,7 +779,7 @@ static void limits_hold_for_lying_encoders(void) {
 /* ---- Misuse ---- */
 
 static void bad_configurations_are_refused(void) {
-    for (int k = 0; k < 20; k++) {
+    for (int k = 0; k < 21; k++) {
         ocel_gaze_config_t c = ocel_gaze_icub;
         ocel_head_model_t m = ocel_head_icub_v1;
         ocel_gaze_t gaze;
@@ -782,6 +839,9 @@ static void bad_configurations_are_refused(void) {
         case 16:
             m.max_pan_q32 = INT32_MIN;
             break;
+        case 20:
+            c.integral_band_q32 = -1;
+            break;
         case 17:
             c.sign[4] = 0;
             wanted = OCEL_BAD_OPTION;
@@ -840,6 +900,7 @@ int main(void) {
     RUN_TEST(unseen_it_comes_to_rest);
     RUN_TEST(the_dead_band_is_still);
     RUN_TEST(nothing_winds_up);
+    RUN_TEST(the_integral_is_forgotten);
     RUN_TEST(the_integral_catches_up);
     RUN_TEST(limits_hold_whatever_comes_in);
     RUN_TEST(limits_hold_for_lying_encoders);
