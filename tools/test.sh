@@ -7,9 +7,10 @@ usage() {
 usage: tools/test.sh [--no-setup]
 
 Installs what is missing (tools/setup.sh test), then configures, builds and
-tests the presets host and asan, then runs the gate (tools/gate.sh).  Every step
-runs even when an earlier one failed; the summary at the end says which did,
-and the exit status is 0 only when none did.
+tests the presets host and asan and those of the emulated boards (m0 to rv32,
+port/README.md), then runs the gate (tools/gate.sh).  Every step runs even when an
+earlier one failed; the summary at the end says which did, and the exit status is
+0 only when none did.
 HELP
 }
 
@@ -37,7 +38,7 @@ step() { # NAME COMMAND...: runs it, and notes how it went and how long it took
 if [ "$setup" = yes ]; then
     step setup tools/setup.sh test || { printf '%s\n' "${summary[@]}" && exit 1; }
 fi
-for preset in host asan; do
+for preset in host asan m0 m3 m4 m7 m33 m55 rv32; do
     step "$preset: configure" cmake --preset "$preset" &&
         step "$preset: build" cmake --build --preset "$preset" &&
         step "$preset: tests" ctest --preset "$preset"
