@@ -687,6 +687,29 @@ static void anything_leaves_the_state_sane(void) {
     }
 }
 
+/* At the ends of all ranges: neither place nor variance grows beyond what it may be. */
+static void the_state_has_limits(void) {
+    const ocel_tracker_config_t config = {4000000U, 16777216, 16777216,
+                                          1048576U, 67108864, {134217728, 0, -134217728}};
+    ocel_tracker_t tracker = tracker_of(&config);
+    ocel_track_t track;
+    const int64_t most = (int64_t)1 << 52;
+    const ocel_estimate_t wide = {{1073741824, 0, -1073741824}, {most, 0, 0, most, 0, most}};
+    TEST_ASSERT_EQUAL(OCEL_OK, ocel_tracker_update(&tracker, 0, &wide, &track));
+    for (int frame = 1; frame <= 4; frame++) {
+        TEST_ASSERT_EQUAL(OCEL_NOT_SEEN,
+                          ocel_tracker_update(&tracker, frame * 1000000LL, NULL, &track));
+        TEST_ASSERT_EQUAL(OCEL_TRACK_GUESSED, track.state);
+        for (int i = 0; i < 3; i++) {
+            TEST_ASSERT_EQUAL_INT64(most, track.cov_root_u2[ENTRY[i][i]]);
+            TEST_ASSERT_TRUE(tracker.filter.cov_q6[ENTRY[i][i]][3] <= 16777216LL * 16777216LL * 64);
+        }
+        TEST_ASSERT_EQUAL_INT32(1073741824, track.p_root_u[0]);
+        TEST_ASSERT_EQUAL_INT32(-1073741824, track.p_root_u[2]);
+        TEST_ASSERT_EQUAL_INT32(16777216, track.v_root_u_s[0]);
+    }
+}
+
 /* ---- The region of interest ---- */
 
 static ocel_camera_t camera_of(uint16_t width, uint16_t height) {
@@ -835,6 +858,7 @@ int main(void) {
     RUN_TEST(bad_configurations_are_refused);
     RUN_TEST(bad_measurements_are_refused);
     RUN_TEST(anything_leaves_the_state_sane);
+    RUN_TEST(the_state_has_limits);
     RUN_TEST(the_region_holds_the_ball);
     RUN_TEST(what_is_not_in_view_has_no_region);
     return UNITY_END();
