@@ -14,6 +14,7 @@ namespace {
 constexpr double kFarthest = 20.0; // SMU: what a scenario may ask for
 
 void read_sweep(TomlReader reader, Scenario &scenario) {
+    reader.expect_only({"trials", "varied", "points", "distance", "occlusion", "jitter"});
     scenario.trials = reader.integer("trials", 1, 1000000, "trials at each point");
     scenario.varied = static_cast<Varied>(reader.choice("varied", {"distance", "occlusion"}));
     const bool distances = scenario.varied == Varied::kDistance;
@@ -27,6 +28,7 @@ void read_sweep(TomlReader reader, Scenario &scenario) {
 }
 
 void read_camera(TomlReader reader, CameraChoice &camera) {
+    reader.expect_only({"preset", "size", "supersampling", "noise"});
     constexpr int kWidths[] = {160, 320, 640};
     constexpr int kSupersamplings[] = {1, 2, 4};
     const std::vector<std::string> presets = preset_names();
@@ -48,6 +50,7 @@ Vec3 colour_of(TomlReader &reader, const char *key) {
 }
 
 void read_target(TomlReader reader, TargetChoice &target) {
+    reader.expect_only({"shape", "radius", "thickness", "colour"});
     target.shape = reader.choice("shape", {"ball", "disc"}) == 0 ? Shape::kBall : Shape::kDisc;
     target.radius = reader.number("radius", 0.01, 2.0, "SMU");
     target.thickness =
@@ -57,6 +60,7 @@ void read_target(TomlReader reader, TargetChoice &target) {
 }
 
 void read_scene(TomlReader reader, Scenario &scenario) {
+    reader.expect_only({"background", "lighting"});
     scenario.background =
         static_cast<Background>(reader.choice("background", {"plain", "textured", "cluttered"}));
     scenario.lighting = static_cast<Lighting>(reader.choice("lighting", {"flat", "soft", "harsh"}));
@@ -64,6 +68,7 @@ void read_scene(TomlReader reader, Scenario &scenario) {
 }
 
 void read_gaze(TomlReader reader, Scenario &scenario) {
+    reader.expect_only({"mode", "focus", "tolerance", "frames"});
     scenario.gaze = static_cast<Gaze>(reader.choice("mode", {"still", "fixate"}));
     if (scenario.gaze == Gaze::kStill) {
         scenario.focus = reader.number("focus", 0.3, 1000.0, "SMU");
@@ -75,6 +80,7 @@ void read_gaze(TomlReader reader, Scenario &scenario) {
 }
 
 void read_detector(TomlReader reader, Scenario &scenario) {
+    reader.expect_only({"colour", "min_area", "methods"});
     const std::string colour = reader.text("colour", cli::kColourGrammar);
     try {
         scenario.colour = cli::parse_colour(colour);
@@ -112,6 +118,7 @@ toml::table parse_file(const std::string &path) {
 Scenario read_scenario(const std::string &path) {
     const toml::table table = parse_file(path);
     TomlReader reader(table, path, "");
+    reader.expect_only({"name", "sweep", "camera", "target", "scene", "gaze", "detector"});
     Scenario scenario{};
     scenario.name = reader.text("name", "the scenario's name in quotes");
     read_sweep(reader.table("sweep"), scenario);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "toml_reader.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <sstream>
 
@@ -142,12 +143,20 @@ std::vector<int> TomlReader::choices(const std::string &key,
     return values;
 }
 
+void TomlReader::expect_only(const std::vector<std::string> &keys) const {
+    for (const auto &[key, value] : table_) {
+        if (std::find(keys.begin(), keys.end(), key.str()) == keys.end()) {
+            reject_at(key.source(), std::string(key.str()),
+                      "is no key here; expected " + joined(keys));
+        }
+    }
+}
+
 void TomlReader::finish() const {
     for (const auto &[key, value] : table_) {
         if (asked_.count(std::string(key.str())) == 0) {
-            const std::vector<std::string> keys(asked_.begin(), asked_.end());
             reject_at(key.source(), std::string(key.str()),
-                      "is no key here; expected " + joined(keys));
+                      "has no meaning with what the others say; expected it to be left out");
         }
     }
 }

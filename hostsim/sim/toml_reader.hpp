@@ -26,7 +26,11 @@ class TomlReader {
     std::vector<double> numbers(const std::string &key, double low, double high, const char *unit);
     std::vector<int> choices(const std::string &key, const std::vector<std::string> &words);
 
-    // Every key has been asked for.
+    // No key is there but these: to be called first, as a misspelt key is also
+    // one that is missing.
+    void expect_only(const std::vector<std::string> &keys) const;
+
+    // Every key has been asked for: what is left is of no use with the others.
     void finish() const;
 
     // Says that the value of `key` is wrong.

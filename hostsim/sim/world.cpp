@@ -25,6 +25,9 @@ World::World(const BallBody &ball)
       floor_(make_body(0.0, floor_shape_, Vec3())),
       ball_(make_body(ball.mass, ball_shape_, ball.p_world)) {
     world_.setGravity(btVector3(0, 0, -kGravity));
+    // What has gone into the floor is put back without a push, which would make a
+    // bounce higher.
+    world_.getSolverInfo().m_splitImpulsePenetrationThreshold = 0.0;
     add_body(*floor_, 1.0);
     add_body(*ball_, ball.bounce);
     head_ = std::make_unique<Head>(world_, kStep);
@@ -40,6 +43,9 @@ World::~World() {
 void World::add_body(btRigidBody &body, double bounce) {
     body.setRestitution(bounce);
     body.setDamping(0.0, 0.0);
+    // A contact is one that touches: Bullet would brake a body before it does, and
+    // the bounce be of what speed is left.
+    body.setContactProcessingThreshold(0.0);
     body.setActivationState(DISABLE_DEACTIVATION);
     world_.addRigidBody(&body);
 }
