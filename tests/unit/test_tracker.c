@@ -541,6 +541,7 @@ static void bad_configurations_are_refused(void) {
             break;
         case 2:
             c.max_speed_u_s = 0;
+            c.wander_u_s = 0;
             break;
         case 3:
             c.max_speed_u_s = -5;
@@ -604,7 +605,7 @@ static void bad_measurements_are_refused(void) {
     ocel_track_t track;
     ocel_track_t zero;
     memset(&zero, 0, sizeof(zero));
-    for (int k = 0; k < 7; k++) {
+    for (int k = 0; k < 8; k++) {
         ocel_estimate_t m = at(500000, 0, 0, 100);
         switch (k) {
         case 0:
@@ -615,6 +616,9 @@ static void bad_measurements_are_refused(void) {
             break;
         case 2:
             m.cov_root_u2[OCEL_XX] = -1;
+            break;
+        case 7:
+            m.cov_root_u2[OCEL_YY] = -1;
             break;
         case 3:
             m.cov_root_u2[OCEL_ZZ] = INT64_MIN;
