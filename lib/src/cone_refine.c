@@ -140,6 +140,8 @@ static void rotate_covariance(const ocel_cone_frame_t *frame, int64_t local_q60[
             for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 */
                 cov_q60[at] += ocel_mul_q60(row_q60[k], (int64_t)frame->r_q30[k][j] * 0x40000000);
             }
+            /* Products are floored: a variance of nothing may be an LSB below it. */
+            cov_q60[at] = ((i == j) && (cov_q60[at] < 0)) ? 0 : cov_q60[at];
             at++;
         }
     }
@@ -252,7 +254,7 @@ static void solve(const ocel_cone_sums_t *sums, const ocel_cone_guess_t *guess, 
             ocel_sym3_invert(m_q60, &inverse) && ocel_sym3_apply(&inverse, b_q60, x_q60);
     rest = rest_of(sums, x_q60);
     evidence->bent =
-        rest.sectors_q24 > ((BENT_LIMIT * rest.points_q24) + ((uint64_t)sums->inlier_count << 15U));
+        rest.sectors_q24 > ((BENT_LIMIT * rest.points_q24) + ((uint64_t)sums->inlier_count << 18U));
     if (known) {
         const int64_t guess_q60 = tan_q60;
 

@@ -13,10 +13,14 @@
 #define GATE_MIN_PX_Q16 39322U
 #define GATE_MAX_PX_Q16 98304U
 
+/* A point is outside from .4 px beyond the gate on: the guess itself is off by .2 px and
+ * more on an arc's far side. */
+#define OUTSIDE_PX_Q16 26214
+
 /* |X| and |Y| of points that are looked at. */
 #define SIDE_Q24 ((int64_t)1 << 28U)
 
-/* A distance that is none of an inlier's, px Q16: 2^15 px. */
+/* A distance that is none of an inlier's. */
 #define FAR INT32_MAX
 
 #define HALF_Q28 ((int64_t)1 << 27U)
@@ -91,7 +95,8 @@ static inline void sum_point(const map_t *map, const int32_t ab[2], ocel_cone_su
             sums->squares_q32 += (int64_t)d_px_q16 * d_px_q16;
         } else {
             sums->others[sector]++;
-            sums->outside += (a_q28 > 0) ? 1U : 0U;
+            sums->outside +=
+                ((a_q28 > 0) && (d_px_q16 > (map->gate_px_q16 + OUTSIDE_PX_Q16))) ? 1U : 0U;
         }
     } else {
         sums->outside++;

@@ -32,41 +32,48 @@ static const uint32_t gate_px_q16[ROUNDS] = {98304U, 65536U, 52429U};
 #define VOTE_PX_Q16 49152U
 
 /* A and B are within 3. */
-#define SLOPE_MAX_Q12 12287
+#define SLOPE_MAX_Q28 ((int64_t)12287 << 16U)
 
 /* T between 1/16 and 3. */
-#define T2_MIN_Q24 65536
-#define T2_MAX_Q24 ((int64_t)9 << 24U)
+#define T2_MIN_Q48 ((int64_t)1 << 40U)
+#define T2_MAX_Q48 ((int64_t)9 << 48U)
 
 /* Twice the area of a hypothesis's triangle, in h^2: 2^-10 at least. */
 #define AREA_MIN_Q26 65536U
 
 typedef struct {
-    int16_t a_q12;
+    int32_t a_q28;
+    int32_t b_q28;
+    int32_t c_q25; /* |C| <= 22 */
+    int16_t a_q12; /* for residuals */
     int16_t b_q12;
-    int32_t c_q25;  /* |C| <= 22 */
-    int32_t t2_q24; /* T^2 */
+    int64_t t2_q48; /* T^2 */
 } plane_t;
 
 /* Completes a plane whose A, B and C are known; false when it is no cone of a size
  * that these points can have.  h^2 C < 1/2: a cone under 90 degrees has less.
  * |C| is below 22 through three samples, and moves by less than 1 in a round. */
-static bool finish_plane(int64_t a_q12, int64_t b_q12, int64_t c_q25, uint32_t spread_log2,
+static bool finish_plane(int64_t a_q28, int64_t b_q28, int64_t c_q25, uint32_t spread_log2,
                          plane_t *plane) {
-    const int64_t c_q12 = ocel_asr64(c_q25, 13U);
-    bool valid = (ocel_abs64(a_q12) <= SLOPE_MAX_Q12) && (ocel_abs64(b_q12) <= SLOPE_MAX_Q12) &&
+    bool valid = (ocel_abs64(a_q28) <= (uint64_t)SLOPE_MAX_Q28) &&
+                 (ocel_abs64(b_q28) <= (uint64_t)SLOPE_MAX_Q28) &&
                  (ocel_asr64(c_q25, 2U * spread_log2) < ((int64_t)1 << 24U));
 
     if (valid) {
-        const int64_t t2_q24 =
-            (a_q12 * a_q12) + (b_q12 * b_q12) + c_q25 - ocel_asr64(c_q12 * c_q12, 2U * spread_log2);
+        const int64_t a_q24 = ocel_asr64(a_q28, 4U);
+        const int64_t b_q24 = ocel_asr64(b_q28, 4U);
+        const int64_t c_q24 = ocel_asr64(c_q25, 1U);
+        const int64_t t2_q48 = (a_q24 * a_q24) + (b_q24 * b_q24) + (c_q25 * 0x1000000) -
+                               ocel_asr64(c_q24 * c_q24, 2U * spread_log2);
 
-        valid = (t2_q24 >= T2_MIN_Q24) && (t2_q24 <= T2_MAX_Q24);
+        valid = (t2_q48 >= T2_MIN_Q48) && (t2_q48 <= T2_MAX_Q48);
         if (valid) {
-            plane->a_q12 = (int16_t)a_q12;
-            plane->b_q12 = (int16_t)b_q12;
+            plane->a_q28 = (int32_t)a_q28;
+            plane->b_q28 = (int32_t)b_q28;
             plane->c_q25 = (int32_t)c_q25;
-            plane->t2_q24 = (int32_t)t2_q24;
+            plane->a_q12 = (int16_t)ocel_asr64(a_q28, 16U);
+            plane->b_q12 = (int16_t)ocel_asr64(b_q28, 16U);
+            plane->t2_q48 = t2_q48;
         }
     }
     return valid;
@@ -96,7 +103,7 @@ static bool plane_through(const ocel_cone_samples_t *s, uint32_t i, uint32_t j, 
         b_q12 = ocel_asr64((u1 * e2) - (u2 * e1), 5U) * y_q31;
         a_q12 = (ocel_asr64(a_q12, 77U - up) ^ sign) - sign;
         b_q12 = (ocel_asr64(b_q12, 77U - up) ^ sign) - sign;
-        valid = finish_plane(a_q12, b_q12,
+        valid = finish_plane(a_q12 * 65536, b_q12 * 65536,
                              (int64_t)s->e_q25[i] - (a_q12 * s->u_q13[i]) - (b_q12 * s->v_q13[i]),
                              spread_log2, plane);
     }
@@ -105,13 +112,13 @@ static bool plane_through(const ocel_cone_samples_t *s, uint32_t i, uint32_t j, 
 
 /* T of a plane.  T^2 <= 9: over 16 it is a number of Q60, and so is T / 4. */
 static int64_t size_q58(const plane_t *plane) {
-    return ocel_sqrt_q60((uint64_t)plane->t2_q24 << 32U);
+    return ocel_sqrt_q60((uint64_t)plane->t2_q48 << 8U);
 }
 
 /* T within 3 %, which a gate can bear: with T^2 = m 4^e, m in [1, 4), the line
  * (m + 2) / 3 raised by half its sag. */
 static uint32_t rough_size_q12(const plane_t *plane) {
-    const uint32_t t2 = (uint32_t)plane->t2_q24;
+    const uint32_t t2 = (uint32_t)ocel_asr64(plane->t2_q48, 24U);
     const uint32_t e = (31U - ocel_clz32(t2)) / 2U; /* 8 .. 13 */
 
     return (((t2 >> e) + ((uint32_t)2U << e)) * 22459U) >> 16U;
@@ -243,8 +250,8 @@ static uint32_t settle(const ocel_cone_samples_t *s, const ocel_cone_place_t *pl
             const uint64_t rms_q25 = (uint64_t)ocel_asr64(ocel_sqrt_q60(square_q50 << 4U), 32U);
 
             rms_px_q16 = ocel_udiv64(rms_q25 * gate_px_q16[round], (uint64_t)gate_q25);
-            (void)finish_plane(plane->a_q12 + ocel_shift_round64(x_q60[0], 48U),
-                               plane->b_q12 + ocel_shift_round64(x_q60[1], 48U),
+            (void)finish_plane(((int64_t)plane->a_q12 * 65536) + ocel_shift_round64(x_q60[0], 32U),
+                               ((int64_t)plane->b_q12 * 65536) + ocel_shift_round64(x_q60[1], 32U),
                                plane->c_q25 + ocel_shift_round64(x_q60[2], 35U), place->spread_log2,
                                plane);
         }
@@ -267,9 +274,8 @@ static bool cone_of(const plane_t *plane, const ocel_cone_place_t *place,
     ocel_recip_q60((uint64_t)below_q55, &rate.y_q60, &rate.e);
     guess->tan_q46 = ocel_scale_q60(ocel_mul_q60(size_q58(plane), rate.y_q60),
                                     rate.e - 5 - 12 - (int32_t)place->spread_log2);
-    ocel_cone_turn(&frame, (int32_t)ocel_scale_q60(plane->a_q12, 16 - (int32_t)place->spread_log2),
-                   (int32_t)ocel_scale_q60(plane->b_q12, 16 - (int32_t)place->spread_log2),
-                   guess->axis_cam_q30);
+    ocel_cone_turn(&frame, (int32_t)ocel_asr64(plane->a_q28, place->spread_log2),
+                   (int32_t)ocel_asr64(plane->b_q28, place->spread_log2), guess->axis_cam_q30);
     return (guess->tan_q46 <= ((int64_t)1 << 46U)) && (guess->axis_cam_q30[2] >= 0x0C000000);
 }
 
