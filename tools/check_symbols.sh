@@ -65,8 +65,10 @@ check_sections() {
 }
 
 # --- The archives -------------------------------------------------------------
-build() { # PRESET: the library's four variants, quietly
-    if ! { cmake --preset "$1" && cmake --build --preset "$1"; } >"$work/log" 2>&1; then
+build() { # PRESET: the library's four variants, without a board and its tests, quietly
+    local tree="build/symbols/$1"
+    if ! { cmake --preset "$1" -B "$tree" -DOCEL_BOARD= -DBUILD_TESTING=OFF &&
+        cmake --build "$tree" -j 2; } >"$work/log" 2>&1; then
         grep -m 5 -A 3 -E 'error|Error' "$work/log" >&2
         complain "the preset $1 does not build"
         exit 1
@@ -77,7 +79,7 @@ for preset in m0 m4 m4hf; do
     build "$preset"
     kinds=(any arm)
     [ "$preset" = m0 ] && kinds+=(m0)
-    for archive in build/"$preset"/lib*.a build/"$preset"/lib/lib*.a; do
+    for archive in build/symbols/"$preset"/lib*.a build/symbols/"$preset"/lib/lib*.a; do
         check_undefined "$archive" "$arm-nm" "${kinds[@]}"
         check_sections "$archive" "$arm-objdump"
         archives=$((archives + 1))
@@ -89,7 +91,7 @@ v_instructions() {
     $arm-objdump -d "$1" | awk -F '\t' '/^ *[0-9a-f]+:\t/ && $3 ~ /^v/ { print $3 }' |
         grep -E -- "$2" | sort | uniq -c | tr '\n' ' '
 }
-for archive in build/m4hf/lib*.a build/m4hf/lib/lib*.a; do
+for archive in build/symbols/m4hf/lib*.a build/symbols/m4hf/lib/lib*.a; do
     found="$(v_instructions "$archive" .)"
     [ -n "$found" ] && complain "$archive: floating-point instructions: $found"
 done
