@@ -76,6 +76,12 @@ MEASURED void measure_ocellus_fit_points(const ocel_point_t *points, size_t coun
     (void)ocel_fit_points(points, count, options, ellipse);
 }
 
+// The robust cone fit, which looks through a camera.
+MEASURED void measure_ocellus_cone(const ocel_camera_t *camera, const ocel_crack_t *cracks,
+                                   size_t count, ocel_cone_t *cone) {
+    (void)ocel_cone_fit_cracks(camera, cracks, count, cone);
+}
+
 // inRange, components with statistics, the largest one's contour, ellipse.
 MEASURED void measure_opencv_ccl(const cv::Mat *bgr, found_t *found) {
     cv::Mat mask;
@@ -140,7 +146,7 @@ void take(found_t &found, const ocel_ellipse_t &ellipse) {
                  "  PIPELINE ocellus opencv-ccl opencv-contours, FRAME plain salt checkerboard\n"
                  "           isolated comb random empty (320x240 BGR)\n"
                  "  PIPELINE fit-b2ac fit-lcse fit-hyper points-b2ac points-lcse points-hyper\n"
-                 "           opencv-direct, FRAME the number of boundary points of a disc\n");
+                 "           opencv-direct cone, FRAME the number of boundary points of a disc\n");
     std::exit(2);
 }
 
@@ -185,18 +191,44 @@ bool fit_method(const char *name, ocel_fit_options_t &options) {
 }
 
 // The pipelines that fit points only; false when there is none of that name.
+// The cone of a disc in the middle of the image, f = 277 px.
+void run_cone(size_t count, int repeats) {
+    const std::vector<ocel_crack_t> cracks = disc_cracks(count);
+    const int32_t middle_px_q16 = static_cast<int32_t>(count / 8U + 3U) * 65536;
+    ocel_intrinsics_t intrinsics = {};
+    ocel_camera_t camera = {};
+    ocel_cone_t cone = {};
+    intrinsics.fx_px_q16 = 277 * 65536;
+    intrinsics.fy_px_q16 = 277 * 65536;
+    intrinsics.cx_px_q16 = middle_px_q16;
+    intrinsics.cy_px_q16 = middle_px_q16;
+    if (ocel_camera_init(&camera, &intrinsics) != OCEL_OK) {
+        std::exit(1);
+    }
+    for (int i = 0; i < repeats; i++) {
+        measure_ocellus_cone(&camera, cracks.data(), count, &cone);
+    }
+    std::printf("cone %zu: sine %.6f, %u inliers\n", count, cone.sin_q30 / 1073741824.0,
+                static_cast<unsigned>(cone.inlier_count));
+}
+
 bool run_fit(const char *pipeline, const char *frame, int repeats) {
     const bool from_cracks = std::strncmp(pipeline, "fit-", 4) == 0;
     const bool from_points = std::strncmp(pipeline, "points-", 7) == 0;
     const bool opencv = std::strcmp(pipeline, "opencv-direct") == 0;
+    const bool cone = std::strcmp(pipeline, "cone") == 0;
     ocel_fit_options_t options;
-    if (!opencv && !(from_cracks && fit_method(pipeline + 4, options)) &&
+    if (!opencv && !cone && !(from_cracks && fit_method(pipeline + 4, options)) &&
         !(from_points && fit_method(pipeline + 7, options))) {
         return false;
     }
     const size_t count = std::strtoul(frame, nullptr, 10);
     if ((count < 8U) || (count > 8000U)) {
         usage();
+    }
+    if (cone) {
+        run_cone(count, repeats);
+        return true;
     }
     const std::vector<ocel_crack_t> cracks = disc_cracks(count);
     std::vector<ocel_point_t> points;
