@@ -12,9 +12,9 @@
 #include "q60.h"
 #include "scale.h"
 
-#define FOCAL_MIN_Q16 0x100000   /* 16 px */
-#define FOCAL_MAX_Q16 0x40000000 /* 16384 px */
-#define COORDINATE_MAX_Q16 (OCEL_MAX_COORDINATE_PX * 65536)
+#define FOCAL_MIN_Q16 0x100000         /* 16 px */
+#define FOCAL_MAX_Q16 0x40000000       /* 16384 px */
+#define COORDINATE_MAX_Q16 0x40000000  /* OCEL_MAX_COORDINATE_PX */
 #define COEFFICIENT_MAX_Q24 0x10000000 /* 16 */
 #define HALF_PX_Q16 32768
 

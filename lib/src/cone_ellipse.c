@@ -30,7 +30,7 @@
 #define AREA_MIN_Q56 ((int64_t)0x10000)
 #define AREA_MAX_Q56 ((int64_t)0x1FFFFFFFFFFFFFFF) /* 32 */
 
-#define ONE_Q56 ((int64_t)1 << 56U)
+#define ONE_Q56 ((int64_t)0x100000000000000)
 
 /* Centre and a b in the plane z = 1. */
 typedef struct {
@@ -89,7 +89,7 @@ static int64_t solve_q56(int64_t area_q56, int64_t square_q56) {
 }
 
 /* The axis along (e / q, 1), and s^2 = (b^2 / q) cos^2 of its angle. */
-static void raise(const flat_t *flat, ocel_cone_t *cone) {
+static void cone_over(const flat_t *flat, ocel_cone_t *cone) {
     const int64_t square_q56 =
         (flat->e_q28[0] * flat->e_q28[0]) + (flat->e_q28[1] * flat->e_q28[1]);
     const int64_t q_q56 = solve_q56(flat->area_q56, square_q56);
@@ -161,7 +161,7 @@ ocel_status_t ocel_cone_of_ellipse(const ocel_camera_t *camera, const ocel_ellip
         } else if ((flat.area_q56 < AREA_MIN_Q56) || (flat.area_q56 > AREA_MAX_Q56)) {
             status = (flat.area_q56 < AREA_MIN_Q56) ? OCEL_DEGENERATE : OCEL_OUT_OF_RANGE;
         } else {
-            raise(&flat, cone);
+            cone_over(&flat, cone);
             spread(ellipse, cone);
             cone->rms_px_q16 = ellipse->rms_px_q16;
             cone->arc_coverage_q16 = ellipse->arc_coverage_q16;

@@ -40,12 +40,14 @@ static int64_t over_w_q16(const cut_t *cut, int64_t value_q60) {
 /* Semi-axes and angle.  With F in 2^14 px every element below is within 2, the larger
  * eigenvalue within 3.5 (of a unit vector: 1 and 1).  The smaller one's error, 2^-52 of
  * the larger, matters only at axis ratios that are out of range. */
-static bool find_axes(const ocel_camera_t *camera, const int32_t axis_q30[3], const cut_t *cut,
-                      ocel_ellipse_t *ellipse) {
+static bool outline_axes(const ocel_camera_t *camera, const int32_t axis_q30[3], const cut_t *cut,
+                         ocel_ellipse_t *ellipse) {
     int64_t fv_q60[2];
     int64_t m_q60[2];
     int64_t sum;
     int64_t difference;
+    int64_t larger; /* eigenvalue */
+    int64_t smaller;
     int64_t a_px_q16;
     int64_t b_px_q16;
     uint32_t turn_q32;
@@ -61,10 +63,10 @@ static bool find_axes(const ocel_camera_t *camera, const int32_t axis_q30[3], co
                &turn_q32);
     sum = ocel_asr64(m_q60[0] + m_q60[1], 1U);
     difference = (difference < sum) ? difference : sum;
-    a_px_q16 =
-        over_w_q16(cut, ocel_mul_q60(cut->sin_q60, ocel_sqrt_q60((uint64_t)(sum + difference))));
-    b_px_q16 =
-        over_w_q16(cut, ocel_mul_q60(cut->sin_q60, ocel_sqrt_q60((uint64_t)(sum - difference))));
+    larger = sum + difference;
+    smaller = sum - difference;
+    a_px_q16 = over_w_q16(cut, ocel_mul_q60(cut->sin_q60, ocel_sqrt_q60((uint64_t)larger)));
+    b_px_q16 = over_w_q16(cut, ocel_mul_q60(cut->sin_q60, ocel_sqrt_q60((uint64_t)smaller)));
     ellipse->angle_turn_q32 = turn_q32 >> 1U;
     ellipse->a_px_q16 = (int32_t)a_px_q16;
     ellipse->b_px_q16 = (int32_t)b_px_q16;
@@ -72,8 +74,8 @@ static bool find_axes(const ocel_camera_t *camera, const int32_t axis_q30[3], co
 }
 
 /* c + f X Z / w. */
-static bool find_centre(const ocel_camera_t *camera, const int32_t axis_q30[3], const cut_t *cut,
-                        ocel_ellipse_t *ellipse) {
+static bool outline_centre(const ocel_camera_t *camera, const int32_t axis_q30[3], const cut_t *cut,
+                           ocel_ellipse_t *ellipse) {
     int64_t c_px_q16[2];
     bool fits = true;
 
@@ -101,8 +103,8 @@ static ocel_status_t outline(const ocel_camera_t *camera, const ocel_cone_t *con
     if ((z_q30 > 0) && (cut.w_q60 >= AHEAD_MIN_Q60)) {
         ocel_recip_q60((uint64_t)cut.w_q60, &cut.inverse.y_q60, &cut.inverse.e);
         status = OCEL_OUT_OF_RANGE;
-        if (find_centre(camera, cone->axis_cam_q30, &cut, ellipse)) {
-            status = find_axes(camera, cone->axis_cam_q30, &cut, ellipse) ? OCEL_OK : status;
+        if (outline_centre(camera, cone->axis_cam_q30, &cut, ellipse)) {
+            status = outline_axes(camera, cone->axis_cam_q30, &cut, ellipse) ? OCEL_OK : status;
         }
     }
     return status;

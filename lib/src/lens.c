@@ -27,7 +27,7 @@
 
 /* What a step takes: elements of the Jacobian within 64 and differences within 4, both
  * 2^30 here, and a determinant of 2^-16 or more. */
-#define ALL_MAX ((uint64_t)0x40000000)
+#define JOINED_MAX ((uint64_t)0x40000000)
 #define DETERMINANT_MIN_Q48 ((int64_t)0x100000000)
 
 /* Elements of a Jacobian, which is symmetric. */
@@ -65,7 +65,7 @@ static void radial(const ocel_intrinsics_t *lens, int64_t s_q55, int64_t *factor
 /* The slope of the radial map r * factor along r is factor + 2 s derivative, below
  * 2^22. */
 static bool rises(const ocel_intrinsics_t *lens, uint32_t trip) {
-    const int64_t s_q55 = (int64_t)trip * (int64_t)trip * ((int64_t)1 << 43U);
+    const int64_t s_q55 = (int64_t)trip * (int64_t)trip * (int64_t)0x80000000000;
     int64_t factor_q40;
     int64_t derivative_q40;
 
@@ -81,7 +81,9 @@ int64_t ocel_lens_reach_q56(const ocel_intrinsics_t *lens) {
         trip++;
     }
     if (trip < REACH_TRIPS) {
-        reach_q56 = (int64_t)(trip - 1U) * (int64_t)(trip - 1U) * ((int64_t)1 << 44U);
+        const uint32_t last = trip - 1U;
+
+        reach_q56 = (int64_t)last * (int64_t)last * (int64_t)0x100000000000;
     }
     return reach_q56;
 }
@@ -135,18 +137,18 @@ void ocel_lens_bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], int6
 static bool step(const bent_t *bent, const int64_t target_q28[2], int64_t xy_q28[2]) {
     int64_t j_q24[J_COUNT];
     int64_t d_q28[2];
-    uint64_t all = 0U;
+    uint64_t joined = 0U;
     bool good;
 
     for (uint32_t i = 0U; i < (uint32_t)J_COUNT; i++) { /* bound: J_COUNT = 3 */
         j_q24[i] = ocel_asr64(bent->j_q40[i], 16U);
-        all |= ocel_abs64(j_q24[i]);
+        joined |= ocel_abs64(j_q24[i]);
     }
     for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
         d_q28[i] = target_q28[i] - ocel_shift_round64(bent->xy_q40[i], 12U);
-        all |= ocel_abs64(d_q28[i]);
+        joined |= ocel_abs64(d_q28[i]);
     }
-    good = all < ALL_MAX;
+    good = joined < JOINED_MAX;
     if (good) {
         const int64_t determinant_q48 = (j_q24[J_XX] * j_q24[J_YY]) - (j_q24[J_XY] * j_q24[J_XY]);
         uint32_t y_q31;

@@ -36,7 +36,8 @@ static int64_t bounded_q60(int64_t cov_q60) {
 
 /* Components of the axis times the distance are within 2^30.  The covariance times
  * range^2 <= 2^60, upwards on the diagonal. */
-static void place(const ocel_cone_t *cone, const ocel_scaled_t *distance, ocel_sphere_t *sphere) {
+static void put_centre(const ocel_cone_t *cone, const ocel_scaled_t *distance,
+                       ocel_sphere_t *sphere) {
     const int64_t range_u = (int64_t)sphere->range_u;
 
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 */
@@ -66,7 +67,7 @@ ocel_status_t ocel_sphere_of_cone(const ocel_cone_t *cone, int32_t radius_u,
             if (range_u <= RANGE_MAX_U) {
                 sphere->radius_u = radius_u;
                 sphere->range_u = (uint32_t)range_u;
-                place(cone, &distance, sphere);
+                put_centre(cone, &distance, sphere);
                 status = OCEL_OK;
             }
         }
