@@ -27,16 +27,19 @@ set(ocel_qemu_quiet -display none -monitor none -serial null -chardev stdio,id=t
 # ocel_on_board(<target> [BOARD name] [BARE] [COUNTED]) makes an executable one that runs on
 # the board: port and startup linked in, and QEMU the way to run it, so that
 # add_test(COMMAND target) runs it there.  BARE leaves the C library's stdio out.
-# COUNTED has QEMU count: every instruction takes 128 ns of the board's time, so that
-# the port's counter is exact.  BOARD is OCEL_BOARD unless given.
+# COUNTED has QEMU count, so that the port's counter is exact: on Arm every instruction
+# takes 128 ns of the board's time, and on RISC-V one tick, which is what QEMU's minstret
+# counts.  BOARD is OCEL_BOARD unless given.
 function(ocel_on_board target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "BARE;COUNTED" "BOARD" "")
-  set(quiet ${ocel_qemu_quiet})
-  if(arg_COUNTED)
-    list(APPEND quiet -icount shift=7,sleep=off)
-  endif()
   if(NOT arg_BOARD)
     set(arg_BOARD "${OCEL_BOARD}")
+  endif()
+  set(quiet ${ocel_qemu_quiet})
+  if(arg_COUNTED AND arg_BOARD STREQUAL "virt")
+    list(APPEND quiet -icount shift=0,sleep=off)
+  elseif(arg_COUNTED)
+    list(APPEND quiet -icount shift=7,sleep=off)
   endif()
   target_include_directories(${target} PRIVATE "${ocel_port_dir}")
   if(arg_BOARD STREQUAL "virt")
