@@ -22,8 +22,8 @@
 #include "row24.h"
 
 /* Pixels that the line tests take at a time, and the most bytes of those. */
-#define GROUP 8U
-#define GROUP_BYTES_MAX 24U
+#define GROUP 16U
+#define GROUP_BYTES_MAX 48U
 
 #define RGB565_COLOURS 65536U
 #define GRAYS 256U
@@ -318,7 +318,7 @@ static void do_line(const ocel_colour_t *colour, const uint8_t *line, uint32_t p
     }
 }
 
-/* The up to seven pixels after the last whole group, in a copy that ends in
+/* The up to fifteen pixels after the last whole group, in a copy that ends in
  * zeros; what those give is masked away. */
 static void do_tail(const ocel_colour_t *colour, const uint8_t *tail, uint16_t count,
                     uint32_t first_x, uint32_t *row) {

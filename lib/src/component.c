@@ -4,6 +4,38 @@
  */
 #include "component.h"
 
+void ocel_component_add(ocel_component_t *component, const ocel_row_sums_t *sums, uint32_t left,
+                        uint32_t end, const ocel_rows_t *rows) {
+    const ocel_moment_t n = sums->first;
+    const ocel_moment_t sum_x = (sums->second - n) >> 1U;
+    const ocel_moment_t sum_xx = (sums->third - sums->second - sum_x) * OCEL_INVERSE_OF_3;
+
+    component->area += (uint32_t)(n * rows->count);
+    component->sum_x += sum_x * rows->count;
+    if (component->left > left) {
+        component->left = (uint16_t)left;
+    }
+    component->sum_xx += sum_xx * rows->count;
+    component->sum_xy += sum_x * rows->sum_y;
+    if (component->end < end) {
+        component->end = (uint16_t)end;
+    }
+    component->sum_y += n * rows->sum_y;
+    component->sum_yy += n * rows->sum_yy;
+}
+
+void ocel_component_start(ocel_component_t *component, uint32_t start, uint32_t end, uint32_t y) {
+    static const ocel_component_t none = {0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U};
+    const ocel_rows_t rows = {1U, y, (ocel_moment_t)y * y};
+    ocel_row_sums_t sums = {0U, 0U, 0U};
+
+    *component = none;
+    component->first = (y << 16U) | start;
+    component->left = (uint16_t)start;
+    ocel_row_sums_add(&sums, start, end);
+    ocel_component_add(component, &sums, start, end, &rows);
+}
+
 void ocel_component_merge(ocel_component_t *whole, const ocel_component_t *part) {
     whole->sum_x += part->sum_x;
     whole->sum_y += part->sum_y;

@@ -17,60 +17,55 @@
 /* The inverse of 3 modulo the moments' word: it divides multiples of 3. */
 #define OCEL_INVERSE_OF_3 ((ocel_moment_t)(((UINT64_MAX / 3U) * 2U) + 1U))
 
-/* Adds a run [start, end) of row y, start < end, to the sums.
- *
- * With n pixels and s = first + last, sum x = n s / 2 (n and s are never both
- * odd) and sum x^2 = n (3 s^2 + n^2 - 1) / 12, both exact.  The latter product
- * is below 2^12 * (3 * 2^26 + 2^24) < 2^40, with 32-bit moments at most
- * 320 * (3 * 638^2 + 320^2) < 4.3e8; its 12th part is had without a division:
- * 4 by a shift, 3 by its inverse modulo the word, exact as nothing remains.
- * A run of one pixel, which is what noise consists of, needs none of this. */
-static inline void ocel_component_add(ocel_component_t *component, uint32_t start, uint32_t end,
-                                      uint32_t y) {
+/* Runs [start, end) of one row: sums of end^k - start^k, k = 1, 2, 3.  The runs
+ * do not overlap, so the sums are at most width^3: 2^36, and with 32-bit moments
+ * 2^25. */
+typedef struct {
+    uint32_t first;
+    ocel_moment_t second;
+    ocel_moment_t third;
+} ocel_row_sums_t;
+
+static inline void ocel_row_sums_add(ocel_row_sums_t *sums, uint32_t start, uint32_t end) {
+    const ocel_moment_t s = start;
+    const ocel_moment_t e = end;
+
+    sums->first += end - start;
+    sums->second += (e * e) - (s * s);
+    sums->third += (e * e * e) - (s * s * s);
+}
+
+/* Takes the pixel x out. */
+static inline void ocel_row_sums_drop(ocel_row_sums_t *sums, uint32_t x) {
+    const ocel_moment_t next = x + 1U;
+    const ocel_moment_t twice = next + x; /* (x + 1)^2 - x^2 */
+
+    sums->first--;
+    sums->second -= twice;
+    sums->third -= (twice * next) + ((ocel_moment_t)x * x);
+}
+
+/* Adds a row. */
+static inline void ocel_rows_add(ocel_rows_t *rows, uint32_t y) {
     const ocel_moment_t row = y;
-    const uint32_t n = end - start;
-    ocel_moment_t sum_x = start;
-    ocel_moment_t sum_xx = sum_x * sum_x;
-    ocel_moment_t sum_y = row;
-    ocel_moment_t sum_yy = row * row;
 
-    if (n != 1U) {
-        const ocel_moment_t s = ((ocel_moment_t)start + end) - 1U;
-        const ocel_moment_t pixels = n;
-
-        sum_x = (pixels * s) >> 1U;
-        sum_xx = ((pixels * (((3U * s * s) + (pixels * pixels)) - 1U)) >> 2U) * OCEL_INVERSE_OF_3;
-        sum_y = pixels * row;
-        sum_yy *= pixels;
-    }
-    component->area += n;
-    component->sum_xx += sum_xx;
-    if (component->left > start) {
-        component->left = (uint16_t)start;
-    }
-    component->sum_x += sum_x;
-    component->sum_xy += sum_x * row;
-    if (component->end < end) {
-        component->end = (uint16_t)end;
-    }
-    component->sum_y += sum_y;
-    component->sum_yy += sum_yy;
+    rows->count++;
+    rows->sum_y += row;
+    rows->sum_yy += row * row;
 }
 
-/* Makes the component of one run, as above. */
-static inline void ocel_component_start(ocel_component_t *component, uint32_t start, uint32_t end,
-                                        uint32_t y) {
-    component->area = 0U;
-    component->sum_x = 0U;
-    component->left = (uint16_t)start;
-    component->sum_xx = 0U;
-    component->sum_y = 0U;
-    component->end = (uint16_t)end;
-    component->sum_xy = 0U;
-    component->first = (y << 16U) | start;
-    component->sum_yy = 0U;
-    ocel_component_add(component, start, end, y);
-}
+/* Adds runs that are the same in some rows, in the columns from left to end - 1, to
+ * a component.
+ *
+ * The sum of x below t is t (t - 1) / 2 and that of x^2 is t (t - 1) (2 t - 1) / 6,
+ * so a row's are (second - first) / 2 and (2 third - 3 second + first) / 6, both
+ * exact: 2 by a shift, 3 by its inverse modulo the word, exact as nothing
+ * remains. */
+void ocel_component_add(ocel_component_t *component, const ocel_row_sums_t *sums, uint32_t left,
+                        uint32_t end, const ocel_rows_t *rows);
+
+/* Makes the component of one run of row y. */
+void ocel_component_start(ocel_component_t *component, uint32_t start, uint32_t end, uint32_t y);
 
 /* Adds all of `part` to `whole`. */
 void ocel_component_merge(ocel_component_t *whole, const ocel_component_t *part);

@@ -10,34 +10,20 @@
 #define POOL_CELLS ((uint32_t)OCEL_MAX_CRACKS)
 #define FIT_POINTS ((uint32_t)OCEL_MAX_FIT_POINTS)
 
-uint32_t ocel_crack_take(const ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger) {
-    uint32_t taken = ledger->free;
-
-    if (taken != OCEL_NO_CELL) {
-        ledger->free = (uint16_t)ocel_crack_link(pool, taken);
-    } else if (ledger->fresh < POOL_CELLS) {
-        taken = ledger->fresh;
-        ledger->fresh++;
-    } else {
-        /* The pool is exhausted. */
-    }
-    return taken;
-}
-
+/* There is at most one free cell, which is the pair's head then. */
 ocel_crack_pair_t ocel_crack_take_pair_slowly(ocel_crack_pool_t *pool,
                                               ocel_crack_ledger_t *ledger) {
+    const uint32_t fresh = ledger->fresh;
+    const uint32_t wanted = (ledger->free != OCEL_NO_CELL) ? 1U : 2U;
     ocel_crack_pair_t pair = {OCEL_NO_CELL, OCEL_NO_CELL};
 
-    pair.head = ocel_crack_take(pool, ledger);
-    pair.tail = ocel_crack_take(pool, ledger);
-    if (pair.tail != OCEL_NO_CELL) {
+    if ((fresh + wanted) <= POOL_CELLS) {
+        pair.head = (wanted == 1U) ? (uint32_t)ledger->free : fresh;
+        pair.tail = fresh + (wanted - 1U);
+        ledger->free = OCEL_NO_CELL;
+        ledger->fresh = (uint16_t)(fresh + wanted);
         ocel_crack_set_link(pool, pair.head, pair.tail);
         ocel_crack_set_link(pool, pair.tail, OCEL_NO_CELL);
-    } else if (pair.head != OCEL_NO_CELL) {
-        ocel_crack_give(pool, ledger, pair.head, pair.head);
-        pair.head = OCEL_NO_CELL;
-    } else {
-        /* Not even one was left. */
     }
     return pair;
 }

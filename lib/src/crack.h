@@ -58,10 +58,7 @@ typedef struct {
     uint32_t tail;
 } ocel_crack_pair_t;
 
-/* A cell, its link not set, or OCEL_NO_CELL. */
-uint32_t ocel_crack_take(const ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger);
-
-/* A pair, whatever mixture of free and fresh cells there is. */
+/* A pair when the free list has not two cells: of fresh ones, or of both. */
 ocel_crack_pair_t ocel_crack_take_pair_slowly(ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger);
 
 /* A chain from a left edge to a right edge of one row.  The first two cells of

@@ -9,21 +9,7 @@
 
 #include <stdint.h>
 
-/* The word is as wide as the machine's registers, 64 bits or 32; the answers
- * are the same.  OCEL_WORD_BITS may be set for a test of the other. */
-#ifndef OCEL_WORD_BITS
-#if UINTPTR_MAX > 0xFFFFFFFFU
-#define OCEL_WORD_BITS 64
-#else
-#define OCEL_WORD_BITS 32
-#endif
-#endif
-
-#if OCEL_WORD_BITS == 64
-typedef uint64_t ocel_word_t;
-#else
-typedef uint32_t ocel_word_t;
-#endif
+#include "word.h"
 
 #define OCEL_WORD_BYTES ((uint32_t)OCEL_WORD_BITS / 8U)
 

@@ -12,6 +12,7 @@
 #include "row24.h"
 
 #include <stdbool.h>
+#include <string.h>
 
 #include "lanes.h"
 
@@ -47,24 +48,6 @@ static inline ocel_word_t take(const plane_t *plane, const uint8_t *group) {
            (ocel_load_word(&group[2U * OCEL_WORD_BYTES]) & plane->mask[2]);
 }
 
-typedef struct {
-    plane_t plane;
-    uint32_t rotation; /* bits, to OCEL_ORDER_BY_THREES */
-    ocel_lane_range_t range;
-} channel_test_t;
-
-static inline channel_test_t channel_test(const uint32_t lanes[4], uint32_t at) {
-    const channel_test_t test = {plane_at[at], 8U * at, ocel_lane_range(lanes)};
-
-    return test;
-}
-
-static inline ocel_word_t channel_in(const channel_test_t *test, const uint8_t *group) {
-    const ocel_word_t plane = ocel_rotate_right(take(&test->plane, group), test->rotation);
-
-    return ocel_lanes_in(plane, &test->range);
-}
-
 /* The upper seven bits of one channel: what most groups are rejected by, so it
  * is the whole of the inner loop and has no more than it needs. */
 typedef struct {
@@ -85,6 +68,11 @@ static inline ocel_word_t glance(const glance_t *first, const uint8_t *group) {
     return ocel_lanes_may_be_in(take(&first->upper, group) >> 1U, &first->range);
 }
 
+/* Of a pair of groups: 0 when no pixel is in range. */
+static inline ocel_word_t glance_pair(const glance_t *first, const uint8_t *pair) {
+    return (glance(first, pair) | glance(first, &pair[PIXEL_BYTES * OCEL_GROUP])) & OCEL_TOP_BITS;
+}
+
 /* Pixels up to the first pair of groups in which a glance is not enough; without
  * any, up to the end of the last pair. */
 static inline uint32_t look_on(const glance_t *first, const uint8_t *line, uint32_t pixels) {
@@ -93,16 +81,148 @@ static inline uint32_t look_on(const glance_t *first, const uint8_t *line, uint3
     uint32_t left = pairs;
 
     while (left > 0U) { /* bound: OCEL_MAX_WIDTH / (2 OCEL_GROUP) */
-        const ocel_word_t one = glance(first, group);
-        const ocel_word_t other = glance(first, &group[PIXEL_BYTES * OCEL_GROUP]);
-
-        if (((one | other) & OCEL_TOP_BITS) != 0U) {
+        if (glance_pair(first, group) != 0U) {
             break;
         }
         group = &group[2U * PIXEL_BYTES * OCEL_GROUP];
         left--;
     }
     return 2U * OCEL_GROUP * (pairs - left);
+}
+
+#if OCEL_WORD_BITS == 64
+
+/* ---- The whole test, byte by byte ----
+ *
+ * These loops are for the compiler to make vectors of: a fixed number of trips,
+ * nothing that depends on the trip before, no two arrays that may overlap. */
+
+/* Pixels that are tested at once: two groups. */
+#define BLOCK (2U * OCEL_GROUP)
+#define BLOCK_BYTES (PIXEL_BYTES * BLOCK)
+
+/* Bytes of a vector: a third of a block's. */
+#define VECTOR BLOCK
+
+/* A block's bounds: a byte v is in range when v - lo, modulo 256, is at most
+ * span. */
+typedef struct {
+    uint8_t lo[BLOCK_BYTES];
+    uint8_t span[BLOCK_BYTES];
+} block_range_t;
+
+/* Repeats the first pixel's three bytes over the block, by doubling. */
+static inline void repeat_pixel(uint8_t bytes[BLOCK_BYTES]) {
+    (void)memcpy(&bytes[3], bytes, 3U);
+    (void)memcpy(&bytes[6], bytes, 6U);
+    (void)memcpy(&bytes[12], bytes, 12U);
+    (void)memcpy(&bytes[24], bytes, 24U);
+}
+
+/* One end of a half-open range (lanes.h) back from the lanes: 0 .. 256. */
+static inline uint32_t lane_end(uint32_t lane, uint32_t odd) {
+    return (2U * (128U - (lane & 0xFFU))) - (odd & 1U);
+}
+
+/* Returns false when a range is empty, and so no pixel is in all. */
+static inline bool block_range(block_range_t *range, const uint32_t lanes[3][4],
+                               const uint8_t at[3]) {
+    bool any = true;
+
+    for (uint32_t k = 0U; k < PIXEL_BYTES; k++) { /* bound: PIXEL_BYTES */
+        const uint32_t begin = lane_end(lanes[k][OCEL_LANES_BEGIN], lanes[k][OCEL_LANES_BEGIN_ODD]);
+        const uint32_t end = lane_end(lanes[k][OCEL_LANES_END], lanes[k][OCEL_LANES_END_ODD]);
+
+        any = any && (begin < end);
+        range->lo[at[k]] = (uint8_t)begin;
+        range->span[at[k]] = (uint8_t)(end - begin - 1U);
+    }
+    repeat_pixel(range->lo);
+    repeat_pixel(range->span);
+    return any;
+}
+
+/* The answers for a group of pixels, whose bytes are all[0], all[3] ... all[21]. */
+static inline uint32_t gather_group(const uint8_t *all) {
+    return ocel_gather(take(&plane_at[0], all), OCEL_ORDER_BY_THREES);
+}
+
+/* Tests VECTOR bytes: 255 when in range, else 0. */
+static inline void test_bytes(const uint8_t *restrict bytes, const uint8_t *restrict lo,
+                              const uint8_t *restrict span, uint8_t *restrict in) {
+    for (uint32_t i = 0U; i < VECTOR; i++) { /* bound: VECTOR */
+        const uint8_t above = (uint8_t)(bytes[i] - lo[i]);
+
+        in[i] = (above <= span[i]) ? 255U : 0U;
+    }
+}
+
+/* For VECTOR bytes: whether they and the two that follow are in range. */
+static inline void join_bytes(const uint8_t *restrict in, uint8_t *restrict all) {
+    for (uint32_t i = 0U; i < VECTOR; i++) { /* bound: VECTOR */
+        all[i] = in[i] & in[i + 1U] & in[i + 2U];
+    }
+}
+
+/* Tests a block: bit k says whether pixel k is in range. */
+static inline uint32_t block_bits(const block_range_t *range, const uint8_t *block) {
+    uint8_t in[BLOCK_BYTES + 2U];
+    uint8_t all[BLOCK_BYTES];
+
+    test_bytes(block, range->lo, range->span, in);
+    test_bytes(&block[VECTOR], &range->lo[VECTOR], &range->span[VECTOR], &in[VECTOR]);
+    test_bytes(&block[2U * VECTOR], &range->lo[2U * VECTOR], &range->span[2U * VECTOR],
+               &in[2U * VECTOR]);
+    in[BLOCK_BYTES] = 0U; /* read, but no pixel's first byte */
+    in[BLOCK_BYTES + 1U] = 0U;
+    join_bytes(in, all);
+    join_bytes(&in[VECTOR], &all[VECTOR]);
+    join_bytes(&in[2U * VECTOR], &all[2U * VECTOR]);
+    return gather_group(all) |
+           (gather_group(&all[PIXEL_BYTES * OCEL_GROUP]) << (uint32_t)OCEL_GROUP);
+}
+
+/* The rest of a line, from the first block at which a glance was not enough.
+ * Where two pixels of a block were in range the next one is tested at once. */
+static void box_from(const glance_t *first, const uint32_t lanes[3][4], const uint8_t at[3],
+                     const uint8_t *line, uint32_t x0, uint32_t pixels, uint32_t *row) {
+    block_range_t range;
+    const uint8_t *block = &line[PIXEL_BYTES * x0];
+    uint32_t bits = 0U;
+
+    if (block_range(&range, lanes, at)) {
+        for (uint32_t x = x0; x < pixels; x += BLOCK) { /* bound: OCEL_MAX_WIDTH / BLOCK */
+            if (((bits & (bits - 1U)) != 0U) || (glance_pair(first, block) != 0U)) {
+                bits = block_bits(&range, block);
+                row[x >> 5U] |= bits << (x & 31U);
+            } else {
+                bits = 0U;
+            }
+            block = &block[BLOCK_BYTES];
+        }
+    }
+}
+
+#else
+
+/* ---- The whole test, plane by plane ---- */
+
+typedef struct {
+    plane_t plane;
+    uint32_t rotation; /* bits, to OCEL_ORDER_BY_THREES */
+    ocel_lane_range_t range;
+} channel_test_t;
+
+static inline channel_test_t channel_test(const uint32_t lanes[4], uint32_t at) {
+    const channel_test_t test = {plane_at[at], 8U * at, ocel_lane_range(lanes)};
+
+    return test;
+}
+
+static inline ocel_word_t channel_in(const channel_test_t *test, const uint8_t *group) {
+    const ocel_word_t plane = ocel_rotate_right(take(&test->plane, group), test->rotation);
+
+    return ocel_lanes_in(plane, &test->range);
 }
 
 /* The rest of a line, from the first group at which a glance was not enough.
@@ -129,6 +249,8 @@ static void box_from(const glance_t *first, const uint32_t lanes[3][4], const ui
         group = &group[PIXEL_BYTES * OCEL_GROUP];
     }
 }
+
+#endif
 
 void ocel_row24_box(const uint32_t lanes[3][4], const uint8_t at[3], const uint8_t *line,
                     uint32_t pixels, uint32_t *row) {

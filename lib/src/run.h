@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A row of bits, read as runs: the columns where a bit differs from its left
- * neighbour are alternately the start of a run and the column past its end.
- * Words without such a column are passed over whole.
+ * Rows of bits: their emptiness, their way into the labeller, and a machine word
+ * of them at a time.
  */
 #ifndef OCEL_RUN_H
 #define OCEL_RUN_H
@@ -10,25 +9,40 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include <ocellus/config.h>
+#include <ocellus/labeller.h>
 
 #include "int_math.h"
+#include "word.h"
 
-/* The start of the run that is none: right of every column and of every reach. */
-#define OCEL_RUN_NONE 0xFFFEU
+/* Words of a row in a machine word. */
+#define OCEL_RUN_WORDS ((uint32_t)OCEL_WORD_BITS / 32U)
 
-typedef struct {
-    const uint32_t *row;
-    uint32_t words;     /* of the row, 1 .. OCEL_ROW_WORDS */
-    uint32_t last_mask; /* the bits of the last word that are pixels */
-    uint32_t width;
-    uint32_t next;  /* the word to be read next */
-    uint32_t edges; /* of the word read last: edges not yet taken */
-    uint32_t carry; /* its bit 31 */
-    uint32_t base;  /* the column of its bit 0 */
-    uint32_t start; /* the run in hand: its first pixel, or OCEL_RUN_NONE */
-    uint32_t end;   /* one past its last */
-} ocel_run_scan_t;
+static inline ocel_word_t ocel_run_load(const uint32_t *word) {
+#if OCEL_WORD_BITS == 64
+    return word[0] | ((uint64_t)word[1] << 32U);
+#else
+    return word[0];
+#endif
+}
+
+static inline void ocel_run_store(uint32_t *word, ocel_word_t bits) {
+    word[0] = (uint32_t)bits;
+#if OCEL_WORD_BITS == 64
+    word[1] = (uint32_t)(bits >> 32U);
+#endif
+}
+
+/* Index of the lowest bit of a word that is not 0.  On the builtins see
+ * int_math.h. */
+static inline uint32_t ocel_run_lowest(ocel_word_t bits) {
+#if OCEL_WORD_BITS == 32
+    return ocel_ctz32(bits);
+#elif OCEL_PORTABLE_BITS
+    return 63U - ocel_clz64(bits & (0U - bits));
+#else
+    return (uint32_t)__builtin_ctzll(bits);
+#endif
+}
 
 /* Words of a row of `width` pixels, and which bits of the last one are pixels. */
 static inline uint32_t ocel_run_words(uint32_t width) {
@@ -39,82 +53,28 @@ static inline uint32_t ocel_run_last_mask(uint32_t width) {
     return 0xFFFFFFFFU >> ((0U - width) & 31U);
 }
 
-/* Readies the scan of a row.  width 0 .. OCEL_MAX_WIDTH; with 0 there is no row
- * and no run. */
-static inline ocel_run_scan_t ocel_run_scan(const uint32_t *row, uint32_t width) {
-    ocel_run_scan_t scan = {row, 0U, 0U, width, 0U, 0U, 0U, 0U, 0U, 0U};
+/* Copies a row of `width` pixels, width >= 1; the margins stay as they are.
+ * Returns 0 when no pixel is set. */
+static inline ocel_word_t ocel_run_copy(ocel_bit_row_t *to, const uint32_t *row, uint32_t width) {
+    const uint32_t last = ocel_run_words(width) - 1U;
+    ocel_word_t any = row[last] & ocel_run_last_mask(width);
+    uint32_t k = 0U;
 
-    scan.words = ocel_run_words(width);
-    scan.last_mask = ocel_run_last_mask(width);
-    return scan;
-}
+    to->word[last + 1U] = (uint32_t)any;
+    while ((k + OCEL_RUN_WORDS) <= last) { /* bound: OCEL_ROW_WORDS */
+        const ocel_word_t bits = ocel_run_load(&row[k]);
 
-/* The first word from `next` on that is not empty, four at a time where there
- * are four, or the row's last, whose upper bits may be anything. */
-static inline uint32_t ocel_run_pass_empty(const uint32_t *row, uint32_t words, uint32_t from) {
-    uint32_t next = from;
-
-    /* bound: OCEL_ROW_WORDS / 4 */
-    while (((next + 4U) < words) &&
-           ((row[next] | row[next + 1U] | row[next + 2U] | row[next + 3U]) == 0U)) {
-        next += 4U;
+        ocel_run_store(&to->word[k + 1U], bits);
+        any |= bits;
+        k += OCEL_RUN_WORDS;
     }
-    /* bound: OCEL_ROW_WORDS */
-    while (((next + 1U) < words) && (row[next] == 0U)) {
-        next++;
+#if OCEL_WORD_BITS == 64
+    if (k < last) {
+        to->word[k + 1U] = row[k];
+        any |= row[k];
     }
-    return next;
-}
-
-/* True when no pixel of the row is set; width >= 1. */
-static inline bool ocel_run_row_is_empty(const uint32_t *row, uint32_t width) {
-    const uint32_t words = ocel_run_words(width);
-    const uint32_t next = ocel_run_pass_empty(row, words, 0U);
-
-    return ((next + 1U) == words) && ((row[next] & ocel_run_last_mask(width)) == 0U);
-}
-
-/* Reads the next word; there must be one. */
-static inline void ocel_run_read(ocel_run_scan_t *scan) {
-    uint32_t word = scan->row[scan->next];
-
-    scan->base = scan->next << 5U;
-    scan->next++;
-    if (scan->next == scan->words) {
-        word &= scan->last_mask;
-    }
-    scan->edges = word ^ ((word << 1U) | scan->carry);
-    scan->carry = word >> 31U;
-}
-
-/* Takes the lowest edge; there must be one. */
-static inline uint32_t ocel_run_take(ocel_run_scan_t *scan) {
-    const uint32_t column = scan->base + ocel_ctz32(scan->edges);
-
-    scan->edges &= scan->edges - 1U;
-    return column;
-}
-
-/* Finds the next run; its start is OCEL_RUN_NONE when the row has no more. */
-static inline void ocel_run_next(ocel_run_scan_t *scan) {
-    bool found = true;
-
-    while ((scan->edges == 0U) && found) { /* bound: OCEL_ROW_WORDS */
-        scan->next = ocel_run_pass_empty(scan->row, scan->words, scan->next);
-        found = scan->next < scan->words;
-        if (found) {
-            ocel_run_read(scan);
-        }
-    }
-    if (found) {
-        scan->start = ocel_run_take(scan);
-        while ((scan->edges == 0U) && (scan->next < scan->words)) { /* bound: OCEL_ROW_WORDS */
-            ocel_run_read(scan);
-        }
-        scan->end = (scan->edges != 0U) ? ocel_run_take(scan) : scan->width;
-    } else {
-        scan->start = OCEL_RUN_NONE;
-    }
+#endif
+    return any;
 }
 
 #endif

@@ -41,14 +41,18 @@ static uint32_t length_of(uint32_t head) {
 /* ---- Taking and giving ---- */
 
 static void test_cells_come_once_each_and_then_none(void) {
-    for (uint32_t i = 0U; i < OCEL_MAX_CRACKS; i++) {
-        TEST_ASSERT_EQUAL_UINT32(i, ocel_crack_take(&pool, &ledger));
+    for (uint32_t i = 0U; i < OCEL_MAX_CRACKS; i += 2U) {
+        const ocel_crack_pair_t pair = ocel_crack_take_pair(&pool, &ledger);
+
+        TEST_ASSERT_EQUAL_UINT32(i, pair.head);
+        TEST_ASSERT_EQUAL_UINT32(i + 1U, pair.tail);
     }
-    TEST_ASSERT_EQUAL_UINT32(OCEL_NO_CELL, ocel_crack_take(&pool, &ledger));
     TEST_ASSERT_EQUAL_UINT32(OCEL_NO_CELL, ocel_crack_take_pair(&pool, &ledger).head);
     ocel_crack_give(&pool, &ledger, 7U, 7U);
-    TEST_ASSERT_EQUAL_UINT32(7U, ocel_crack_take(&pool, &ledger));
-    TEST_ASSERT_EQUAL_UINT32(OCEL_NO_CELL, ocel_crack_take(&pool, &ledger));
+    TEST_ASSERT_EQUAL_UINT32(OCEL_NO_CELL, ocel_crack_take_pair(&pool, &ledger).head);
+    ocel_crack_give(&pool, &ledger, 4U, 4U);
+    TEST_ASSERT_EQUAL_UINT32(4U, ocel_crack_take_pair(&pool, &ledger).head);
+    TEST_ASSERT_EQUAL_UINT32(OCEL_NO_CELL, ocel_crack_take_pair(&pool, &ledger).head);
 }
 
 static void assert_is_pair(ocel_crack_pair_t pair) {
@@ -76,8 +80,10 @@ static void test_a_last_single_cell_is_no_pair_and_not_lost(void) {
     ledger.fresh = OCEL_MAX_CRACKS - 1U;
     TEST_ASSERT_EQUAL_UINT32(OCEL_NO_CELL, ocel_crack_take_pair(&pool, &ledger).head);
     TEST_ASSERT_EQUAL_UINT32(OCEL_NO_CELL, ocel_crack_take_pair(&pool, &ledger).head);
-    TEST_ASSERT_EQUAL_UINT32(OCEL_MAX_CRACKS - 1U, ocel_crack_take(&pool, &ledger));
-    TEST_ASSERT_EQUAL_UINT32(OCEL_NO_CELL, ocel_crack_take(&pool, &ledger));
+    ocel_crack_give(&pool, &ledger, 5U, 5U);
+    TEST_ASSERT_EQUAL_UINT32(5U, ocel_crack_take_pair(&pool, &ledger).head);
+    TEST_ASSERT_EQUAL_UINT16(OCEL_MAX_CRACKS, ledger.fresh);
+    TEST_ASSERT_EQUAL_UINT16(OCEL_NO_CELL, ledger.free);
 }
 
 static void test_giving_back_from_the_head_alone(void) {
@@ -89,9 +95,10 @@ static void test_giving_back_from_the_head_alone(void) {
     ocel_crack_set_link(&pool, a.tail, b.head);
     ocel_crack_give_from(&pool, &ledger, a.head);
     TEST_ASSERT_EQUAL_UINT32(4U, length_of(ledger.free));
-    b.head = ocel_crack_take(&pool, &ledger);
+    b = ocel_crack_take_pair(&pool, &ledger);
     ocel_crack_set_link(&pool, b.head, OCEL_NO_CELL);
     ocel_crack_give_from(&pool, &ledger, b.head);
+    ocel_crack_give_from(&pool, &ledger, b.tail);
     a = ocel_crack_take_pair(&pool, &ledger);
     ocel_crack_give_from(&pool, &ledger, a.head);
     TEST_ASSERT_EQUAL_UINT32(4U, length_of(ledger.free));
@@ -154,15 +161,17 @@ static void test_no_cell_has_two_owners(void) {
             head[chain] = 0U;
             tail[chain] = 0U;
         } else {
-            cell = ocel_crack_take(&pool, &ledger);
-            TEST_ASSERT_EQUAL(owned == OCEL_MAX_CRACKS, cell == OCEL_NO_CELL);
-            if (cell != OCEL_NO_CELL) {
-                TEST_ASSERT_EQUAL(NO_OWNER, owner[cell]);
-                owner[cell] = (uint8_t)chain;
-                ocel_crack_set_link(&pool, cell, OCEL_NO_CELL);
-                ocel_crack_set_link(&pool, tail[chain], cell);
-                tail[chain] = cell;
-                owned++;
+            const ocel_crack_pair_t pair = ocel_crack_take_pair(&pool, &ledger);
+
+            TEST_ASSERT_EQUAL(owned == OCEL_MAX_CRACKS, pair.head == OCEL_NO_CELL);
+            if (pair.head != OCEL_NO_CELL) {
+                TEST_ASSERT_EQUAL(NO_OWNER, owner[pair.head]);
+                TEST_ASSERT_EQUAL(NO_OWNER, owner[pair.tail]);
+                owner[pair.head] = (uint8_t)chain;
+                owner[pair.tail] = (uint8_t)chain;
+                ocel_crack_set_link(&pool, tail[chain], pair.head);
+                tail[chain] = pair.tail;
+                owned += 2U;
             }
         }
         TEST_ASSERT_LESS_OR_EQUAL(OCEL_MAX_CRACKS, ledger.fresh);

@@ -52,7 +52,9 @@ ocel_status_t ocel_label_row(ocel_labeller_t *labeller, ocel_crack_pool_t *pool,
 ocel_status_t ocel_label_end(ocel_labeller_t *labeller, ocel_crack_pool_t *pool, ocel_blob_t *ended,
                              size_t *ended_count, ocel_blob_t *largest);
 
-/* Operation counts and high-water marks of the frame in hand or just ended. */
+/* Operation counts and high-water marks of the frame in hand or just ended.  While
+ * rows are coming they may lack the last one: it is held until the next one
+ * (DESIGN.md, "Specks"). */
 ocel_label_stats_t ocel_label_stats(const ocel_labeller_t *labeller);
 
 /* A blob's centroid; zero for an empty blob.  |error| <= half an LSB. */

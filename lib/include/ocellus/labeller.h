@@ -6,10 +6,9 @@
  *
  * The sweep goes over a row from left to right.  Left of it stand the runs of
  * this row that are finished, right of it the runs of the row above that wait
- * for their children: the frontier, one list of runs in order of their columns.
- * A run hands its place in the list to its child, so that what goes straight
- * down costs no bookkeeping; where runs meet a place is given up, where a run
- * splits one is made.
+ * for their children: the frontier.  It is a queue in a ring of places: a run is
+ * taken from its front when the sweep comes upon it and put at its back when it
+ * is finished.
  */
 #ifndef OCELLUS_LABELLER_H
 #define OCELLUS_LABELLER_H
@@ -48,18 +47,23 @@ typedef uint64_t ocel_moment_t;
  * Only with 4-connectivity may C and the first run waiting be neighbours: the
  * columns up to C's start are two apart, and those right of it are, which makes
  * (i + 1) / 2 + (j + 1) / 2 with i + j <= width, at most OCEL_MAX_RUNS + 1; and
- * place 0, the list's end. */
+ * the place that ends the row above. */
 #define OCEL_FRONTIER_RUNS (OCEL_MAX_RUNS + 2)
 
-/* The frontier, a column for each member so that one index reaches them all. */
+/* A run of the frontier. */
 typedef struct {
-    uint16_t start[OCEL_FRONTIER_RUNS]; /* the first pixel */
-    uint16_t end[OCEL_FRONTIER_RUNS];   /* it touches runs below that start before this */
-    uint16_t label[OCEL_FRONTIER_RUNS];
-    uint16_t head[OCEL_FRONTIER_RUNS]; /* pool cell of its left edge: a chain begins there */
-    uint16_t tail[OCEL_FRONTIER_RUNS]; /* pool cell of its right edge: a chain ends there */
-    uint16_t next[OCEL_FRONTIER_RUNS]; /* to the right; next free when free */
-} ocel_frontier_t;
+    uint16_t label;
+    uint16_t start; /* the first pixel */
+    uint16_t head;  /* pool cell of its left edge: a chain begins there */
+    uint16_t end;   /* it touches runs below that start before this */
+    uint16_t tail;  /* pool cell of its right edge: a chain ends there */
+} ocel_run_t;
+
+/* The pixels of a row: bit x%32 of word 1 + x/32 is pixel x.  One word before
+ * them and two behind have none. */
+typedef struct {
+    uint32_t word[OCEL_ROW_WORDS + 3];
+} ocel_bit_row_t;
 
 /* The sums of a component.  32 bytes at 320x240. */
 typedef struct {
@@ -74,10 +78,17 @@ typedef struct {
     uint16_t end;   /* one past the last */
 } ocel_component_t;
 
+/* Rows that have the same runs. */
+typedef struct {
+    ocel_moment_t count;
+    ocel_moment_t sum_y;
+    ocel_moment_t sum_yy;
+} ocel_rows_t;
+
 /* High-water marks and operation counts of one frame: what the bounds above are
  * checked against. */
 typedef struct {
-    uint32_t runs;       /* <= height * OCEL_MAX_RUNS */
+    uint32_t runs;       /* of the rows swept so far, <= height * OCEL_MAX_RUNS */
     uint32_t unions;     /* <= runs: every union ends a label, every label has a first run */
     uint32_t components; /* that have ended */
     uint16_t labels_max; /* <= OCEL_MAX_LABELS */
@@ -103,11 +114,16 @@ typedef struct {
 typedef struct {
     uint16_t width;
     uint16_t height;
-    uint16_t next_row;
+    uint16_t next_row;   /* rows taken */
+    uint16_t swept;      /* of them swept: all, or all but the last, which is held */
+    uint16_t above;      /* which of `rows` was swept last; the next one is held */
+    uint16_t held_empty; /* 1 when the row that is held has no pixel */
     uint16_t state;
-    uint16_t reach; /* 1: 8-connected, 0: 4-connected */
-    uint16_t free_run;
-    uint16_t fresh_run;
+    uint16_t reach;        /* 1: 8-connected, 0: 4-connected */
+    uint16_t first_run;    /* the frontier's first place */
+    uint16_t last_run;     /* and its last, which ends the row */
+    uint16_t runs;         /* in it, of the row swept last */
+    uint16_t repeats_lost; /* 1: a further one need not be looked at, all of it is lost */
     uint16_t free_label;
     uint16_t merged_label; /* labels merged away in this row, linked through live */
     uint16_t best_bottom;  /* of the largest: its last row */
@@ -116,9 +132,11 @@ typedef struct {
     ocel_crack_ledger_t ledger;
     ocel_label_stats_t stats;
     ocel_component_t best; /* the largest that has ended, when its area is not 0 */
-    ocel_frontier_t frontier;
-    uint16_t parent[OCEL_MAX_LABELS]; /* union-find: itself when a root; next free when free */
-    uint16_t live[OCEL_MAX_LABELS];   /* root: its runs in the frontier, and a flag (label.c) */
+    ocel_rows_t repeats;   /* rows swept last that were as the one above and are not in the sums */
+    ocel_bit_row_t rows[3];
+    ocel_run_t frontier[OCEL_FRONTIER_RUNS];
+    uint16_t parent[OCEL_MAX_LABELS + 1]; /* union-find: itself when a root; next free when free */
+    uint16_t live[OCEL_MAX_LABELS];       /* root: its runs in the frontier, and a flag (label.c) */
     ocel_component_t component[OCEL_MAX_LABELS];
 } ocel_labeller_t;
 

@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The frontier's runs and the components that they belong to.
+ */
+#include "frontier.h"
+
+#include <stdbool.h>
+
+#include "component.h"
+#include "crack.h"
+
+/* ---- Labels: union-find ---- */
+
+/* The root of a label, halving the way to it (Tarjan and van Leeuwen, "Worst-case
+ * analysis of set union algorithms", 1984).  Merged labels are resolved at the
+ * end of each row, so there is a way only within a row. */
+uint32_t ocel_frontier_find(ocel_labeller_t *lab, uint32_t label) {
+    uint32_t at = label;
+
+    while (lab->parent[at] != at) { /* bound: OCEL_MAX_LABELS */
+        lab->parent[at] = lab->parent[lab->parent[at]];
+        at = lab->parent[at];
+    }
+    return at;
+}
+
+/* A new label with one run; labeller.h proves that there is one. */
+static inline uint32_t take_label(ocel_labeller_t *lab) {
+    uint32_t label = lab->free_label;
+
+    if (label != OCEL_NO_LABEL) {
+        lab->free_label = lab->parent[label];
+    } else {
+        label = lab->stats.labels_max;
+        lab->stats.labels_max++;
+    }
+    lab->parent[label] = (uint16_t)label;
+    lab->live[label] = 1U;
+    return label;
+}
+
+static inline void give_label(ocel_labeller_t *lab, uint32_t label) {
+    lab->parent[label] = lab->free_label;
+    lab->free_label = (uint16_t)label;
+}
+
+uint32_t ocel_frontier_unite(ocel_labeller_t *lab, uint32_t a, uint32_t b) {
+    const uint32_t live_a = lab->live[a] & ~OCEL_LOST;
+    const uint32_t live_b = lab->live[b] & ~OCEL_LOST;
+    const uint32_t lost = (lab->live[a] | lab->live[b]) & OCEL_LOST;
+    const uint32_t root = (live_a >= live_b) ? a : b;
+    const uint32_t part = (live_a >= live_b) ? b : a;
+
+    ocel_component_merge(&lab->component[root], &lab->component[part]);
+    lab->live[root] = (uint16_t)((live_a + live_b) | lost);
+    lab->parent[part] = (uint16_t)root;
+    lab->live[part] = lab->merged_label;
+    lab->merged_label = (uint16_t)part;
+    lab->stats.unions++;
+    return root;
+}
+
+void ocel_frontier_release(ocel_labeller_t *lab) {
+    uint32_t label = lab->merged_label;
+
+    while (label != OCEL_NO_LABEL) { /* bound: OCEL_MAX_LABELS */
+        const uint32_t next = lab->live[label];
+
+        give_label(lab, label);
+        label = next;
+    }
+    lab->merged_label = OCEL_NO_LABEL;
+}
+
+/* ---- Runs ---- */
+
+void ocel_frontier_set(ocel_labeller_t *lab, ocel_run_t *first, ocel_run_t *last) {
+    last->start = OCEL_ROW_END;
+    last->end = OCEL_ROW_END;
+    last->label = OCEL_NO_LABEL;
+    lab->first_run = (uint16_t)(first - lab->frontier);
+    lab->last_run = (uint16_t)(last - lab->frontier);
+}
+
+ocel_crack_pair_t ocel_frontier_take_edges(ocel_labeller_t *lab, ocel_crack_pool_t *pool,
+                                           uint32_t root, uint32_t start, uint32_t end,
+                                           uint32_t after) {
+    ocel_crack_pair_t pair = {OCEL_NO_CELL, OCEL_NO_CELL};
+
+    if (lab->live[root] < OCEL_LOST) {
+        pair = ocel_crack_take_pair(pool, &lab->ledger);
+    }
+    if (pair.head != OCEL_NO_CELL) {
+        ocel_crack_set_left(pool, pair.head, start);
+        ocel_crack_set_right(pool, pair.tail, end);
+        if (after != OCEL_NO_CELL) {
+            ocel_crack_set_link(pool, pair.head, after);
+        }
+    } else {
+        lab->live[root] |= OCEL_LOST;
+        ocel_crack_give_from(pool, &lab->ledger, after);
+    }
+    return pair;
+}
+
+/* A newborn run of the row above gets what a component has: a label, its sums
+ * and its edges; lost at once when there are no cells. */
+static void settle_newborn(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run) {
+    const uint32_t end = (uint32_t)run->end - lab->reach;
+    const uint32_t root = take_label(lab);
+    const ocel_crack_pair_t pair =
+        ocel_frontier_take_edges(lab, pool, root, run->start, end, OCEL_NO_CELL);
+
+    run->label = (uint16_t)root;
+    run->head = (uint16_t)pair.head;
+    run->tail = (uint16_t)pair.tail;
+    ocel_component_start(&lab->component[root], run->start, end, (uint32_t)lab->swept - 1U);
+}
+
+uint32_t ocel_frontier_settle(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run) {
+    if (run->label == OCEL_NEWBORN) {
+        settle_newborn(lab, pool, run);
+    }
+    return ocel_frontier_find(lab, run->label);
+}
+
+/* The component has ended above the row in hand.  Its boundary goes from head to
+ * tail; head is OCEL_NO_CELL when it is lost. */
+static void end_component(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t root,
+                          uint32_t head, uint32_t tail, ocel_ended_t *ended) {
+    const ocel_component_t *component = &lab->component[root];
+    const uint32_t bottom = lab->swept - 1U;
+    ocel_crack_pair_t given = {head, tail}; /* the boundary that is not the largest's */
+
+    lab->stats.components++;
+    if (ended->blob != NULL) {
+        ocel_component_blob(component, bottom, lab->width, lab->height, &ended->blob[ended->count]);
+        ended->count++;
+    }
+    if (ocel_component_beats(component, &lab->best)) {
+        given.head = lab->best_head;
+        given.tail = lab->best_tail;
+        lab->best = *component;
+        lab->best_bottom = (uint16_t)bottom;
+        lab->best_head = (uint16_t)head;
+        lab->best_tail = (uint16_t)tail;
+    }
+    if (given.head != OCEL_NO_CELL) {
+        ocel_crack_give(pool, &lab->ledger, given.head, given.tail);
+    }
+    give_label(lab, root);
+}
+
+/* A run above has no child: its component ends with it, or its two edges are
+ * linked. */
+static void end_run(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run,
+                    ocel_ended_t *ended) {
+    const uint32_t root = ocel_frontier_root(lab, pool, run);
+    const uint32_t live = (uint32_t)lab->live[root] - 1U;
+    const uint32_t tail = run->tail;
+    uint32_t head = run->head;
+
+    lab->live[root] = (uint16_t)live;
+    if (live >= OCEL_LOST) {
+        ocel_crack_give_from(pool, &lab->ledger, head);
+        head = OCEL_NO_CELL;
+    }
+    if ((live & ~OCEL_LOST) == 0U) {
+        end_component(lab, pool, root, head, tail, ended);
+    } else if (head != OCEL_NO_CELL) {
+        ocel_crack_set_link(pool, tail, head);
+    } else {
+        /* Lost: there is nothing to link. */
+    }
+}
+
+/* True when a newborn run can end without having been anything: nobody asks for
+ * it, and it is no larger than the best, which then came before it in raster
+ * order: what has ended by now has a run before it in the row above or higher. */
+static inline bool is_noise(const ocel_labeller_t *lab, const ocel_run_t *run,
+                            const ocel_ended_t *ended) {
+    return (run->label == OCEL_NEWBORN) && (ended->blob == NULL) &&
+           (((uint32_t)run->end - lab->reach - run->start) <= lab->best.area);
+}
+
+ocel_run_t *ocel_frontier_end(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run,
+                              uint32_t start, ocel_ended_t *ended) {
+    ocel_run_t *at = run;
+
+    while (at->end <= start) { /* bound: OCEL_MAX_RUNS */
+        if (is_noise(lab, at, ended)) {
+            lab->stats.components++;
+        } else {
+            end_run(lab, pool, at, ended);
+        }
+        at = ocel_frontier_after(lab, at);
+    }
+    return at;
+}

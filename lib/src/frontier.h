@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The frontier's runs and the components that they belong to: labels and what
+ * happens to them apart from the sweep, when runs are born, meet and end.
+ */
+#ifndef OCEL_FRONTIER_H
+#define OCEL_FRONTIER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <ocellus/labeller.h>
+#include <ocellus/types.h>
+
+#include "crack.h"
+
+/* No label: ends the lists of free and of merged labels. */
+#define OCEL_NO_LABEL 0x7FFFU
+
+/* The label of a run that is a component by itself so far.  It has neither a
+ * label nor sums nor cells until it meets a child: most of what noise consists
+ * of never does.  As a label it is none's own root. */
+#define OCEL_NEWBORN ((uint32_t)OCEL_MAX_LABELS)
+
+/* Flag in live[]: at a root, the boundary is lost (the count itself is at most
+ * OCEL_MAX_RUNS + 1 <= 2049). */
+#define OCEL_LOST 0x8000U
+
+/* The columns of the place that ends a row: beyond every column and every reach. */
+#define OCEL_ROW_END 0xFFFFU
+
+/* Where components that end are reported; blob is null when nobody asks. */
+typedef struct {
+    ocel_blob_t *blob;
+    size_t count;
+} ocel_ended_t;
+
+/* The place after that of a run, in the ring. */
+static inline ocel_run_t *ocel_frontier_after(ocel_labeller_t *lab, ocel_run_t *run) {
+    ocel_run_t *const next = &run[1];
+
+    return (next == &lab->frontier[OCEL_FRONTIER_RUNS]) ? lab->frontier : next;
+}
+
+/* Makes the frontier the places from `first` up to `last`, which ends the row: it
+ * touches nothing. */
+void ocel_frontier_set(ocel_labeller_t *lab, ocel_run_t *first, ocel_run_t *last);
+
+/* Takes the cells of the edges of a run [start, end) and links the left one to the
+ * cell `after`, or to the right one when that is OCEL_NO_CELL.  If the component
+ * is lost, or is now for want of cells, both are OCEL_NO_CELL and the chain from
+ * `after` is given back. */
+ocel_crack_pair_t ocel_frontier_take_edges(ocel_labeller_t *lab, ocel_crack_pool_t *pool,
+                                           uint32_t root, uint32_t start, uint32_t end,
+                                           uint32_t after);
+
+/* The root of a run whose label may not be one: the run is newborn and now gets
+ * what a component has, or its label has been merged away in this row. */
+uint32_t ocel_frontier_settle(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run);
+
+/* The root of a run, by the short way where there is one. */
+static inline uint32_t ocel_frontier_root(ocel_labeller_t *lab, ocel_crack_pool_t *pool,
+                                          ocel_run_t *run) {
+    const uint32_t label = run->label;
+
+    return (lab->parent[label] == label) ? label : ocel_frontier_settle(lab, pool, run);
+}
+
+/* Merges two components, the one with fewer runs in the frontier into the other;
+ * lost if one was.  Returns the root. */
+uint32_t ocel_frontier_unite(ocel_labeller_t *lab, uint32_t a, uint32_t b);
+
+/* The root of a label that has been merged away. */
+uint32_t ocel_frontier_find(ocel_labeller_t *lab, uint32_t label);
+
+/* At the row's end, when every run has its root: frees the merged labels. */
+void ocel_frontier_release(ocel_labeller_t *lab);
+
+/* Ends the runs above, from `run` on, that touch nothing from column `start` on:
+ * they have no child.  Returns the first that does. */
+ocel_run_t *ocel_frontier_end(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run,
+                              uint32_t start, ocel_ended_t *ended);
+
+#endif
