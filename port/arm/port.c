@@ -4,7 +4,7 @@
  * timer, its wraps counted by its interrupt.  QEMU's DWT stands still, so there
  * it is SysTick; with -icount shift=7 an instruction lasts 128 ns of its clock
  * (OCEL_PORT_SYSTICK_HZ), so ticks tell instructions to +-1.  The interrupt's own
- * instructions, about 15 each 5 million at 25 MHz, are in the count.
+ * instructions, about 5 in 5 million at 25 MHz, are in the count.
  *
  * Registers: Armv7-M Architecture Reference Manual (DDI 0403E), B3.3 and C1.8.
  */

@@ -3,7 +3,8 @@
  * What changes when a test runs on an emulated board without an FPU.  The rule:
  * every test runs everywhere; only the number of random trials and of steps
  * through exhaustive lists is smaller there, by TEST_TRIALS and TEST_STEP, and
- * bounds are as wide as the platform's own reference is uncertain.
+ * bounds are as wide as the platform's own reference is uncertain.  (And what the
+ * tests call 512x512 is 384x384: the references' arrays in 16 MB.)
  *
  * OCEL_TEST_REDUCED is the divisor, 1 on the host; a board's tests print it.
  */

@@ -39,7 +39,7 @@ if [ "$project" = installed ]; then
         # shellcheck disable=SC2086  # the step is words
         cmake $step >"$work/log" 2>&1 || { cat "$work/log" >&2 && exit 1; }
     done
-    rm -r "$work/ocellus" "$work/lib" # nothing may refer to them any more
+    rm -r "${work:?}/ocellus" "${work:?}/lib" # nothing may refer to them any more
     build -DCMAKE_PREFIX_PATH="$work/prefix"
     "$work/build/consumer"
     exit 0
