@@ -33,7 +33,8 @@ mkdir -p $reports
 failed=0
 
 # The accuracy programs' tables; ctest has just made them, or they are made here.
-accuracy=(disc_masks exact_arcs noisy_arcs head_kinematics tracking)
+accuracy=(disc_masks exact_arcs noisy_arcs ball_range ball_occlusion ball_hard_cases
+    head_kinematics tracking)
 for name in "${accuracy[@]}"; do
     program="$bin/accuracy_$name" table="$reports/accuracy_$name.txt"
     if [ ! -s "$table" ] || [ "$program" -nt "$table" ]; then
