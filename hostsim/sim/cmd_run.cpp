@@ -74,6 +74,14 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+int stereo_frames(const std::vector<TrialRecord> &records) {
+    int frames = 0;
+    for (const TrialRecord &record : records) {
+        frames += record.frames;
+    }
+    return frames;
+}
+
 void run(const RunArguments &arguments) {
     const Scenario scenario = read_scenario(arguments.scenario);
     make_folder(arguments.out + "/pictures");
@@ -89,8 +97,10 @@ void run(const RunArguments &arguments) {
     write_text(arguments.out + "/trials.csv", csv_of(scenario, arguments.seed, records));
     write_text(arguments.out + "/summary.json", summary.dump(1) + "\n");
     print_result(summary);
-    fmt::print("{} trials in {:.1f} s; {}/trials.csv {}/summary.json {}/pictures/\n",
-               records.size(), seconds, arguments.out, arguments.out, arguments.out);
+    fmt::print("{} trials, {} stereo frames in {:.1f} s: {}/trials.csv {}/summary.json "
+               "{}/pictures/\n",
+               records.size(), stereo_frames(records), seconds, arguments.out, arguments.out,
+               arguments.out);
 }
 
 } // namespace

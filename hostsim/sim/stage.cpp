@@ -43,13 +43,19 @@ Solid make_target(const TargetChoice &target, const Vec3 &p_world) {
 }
 
 // A box or a ball of any of the colours, well behind what the eyes look for.
+// One draw a statement: compilers differ in the order of a call's arguments.
 Solid make_distractor(Random &random) {
     const double size = random.uniform(0.15, 0.6);
-    const Vec3 place(random.uniform(5.5, 8.0), random.uniform(-4.0, 4.0), random.uniform(1.0, 5.0));
+    const double x = random.uniform(5.5, 8.0);
+    const double y = random.uniform(-4.0, 4.0);
+    const double z = random.uniform(1.0, 5.0);
     const auto colour = static_cast<std::size_t>(random.bits() % std::size(kDistractorColours));
-    Solid solid = box(place, Vec3(size, size, size), kDistractorColours[colour]);
-    solid.shape = random.uniform() < 0.5 ? Shape::kBall : Shape::kBox;
-    solid.X_world_solid.r = rotation(2, random.uniform(0.0, kPi)) * rotation(0, random.uniform());
+    const bool round = random.uniform() < 0.5;
+    const double turn = random.uniform(0.0, kPi);
+    const double roll = random.uniform();
+    Solid solid = box(Vec3(x, y, z), Vec3(size, size, size), kDistractorColours[colour]);
+    solid.shape = round ? Shape::kBall : Shape::kBox;
+    solid.X_world_solid.r = rotation(2, turn) * rotation(0, roll);
     return solid;
 }
 
