@@ -230,6 +230,8 @@ static void look(const scene_t *scene, tally_t *fixed, tally_t *twin) {
  * point within 2 % of double; the covariance of the right size. */
 static void hidden_balls_keep_their_place(void) {
     static const double shares[] = {0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5};
+    /* A board's few trials: the mean of a chi^2 of one degree spreads by sqrt(2 / n). */
+    const double spread = (OCEL_TEST_REDUCED == 1) ? 0.0 : 4.0 * sqrt(2.0 / TRIALS);
     tally_t all = {0};
     tally_t all_twin = {0};
     for (size_t s = 0; s < sizeof(shares) / sizeof(shares[0]); s++) {
@@ -249,7 +251,8 @@ static void hidden_balls_keep_their_place(void) {
         TEST_ASSERT_EQUAL_INT(TRIALS, twin.ok);
         TEST_ASSERT_TRUE(sqrt(fixed.squares / fixed.ok) <= 0.0020);
         TEST_ASSERT_TRUE(sqrt(fixed.angles / fixed.ok) <= 0.10);
-        TEST_ASSERT_TRUE((fixed.chi / fixed.ok > 0.3) && (fixed.chi / fixed.ok < 2.0));
+        TEST_ASSERT_TRUE((fixed.chi / fixed.ok > 0.3 - spread) &&
+                         (fixed.chi / fixed.ok < 2.0 + spread));
         all.squares += fixed.squares;
         all.angles += fixed.angles;
         all_twin.squares += twin.squares;
