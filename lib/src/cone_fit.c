@@ -13,17 +13,17 @@
 
 /* What a cone must show to be vouched for (cone.h tells it in words; DESIGN.md what
  * it was tried on). */
-#define INLIERS_MIN_OF 4U      /* one of 4 points consents */
+#define INLIERS_MIN_OF 2U      /* more than one of 2 points consents */
 #define OUTSIDE_MAX_OF 25U     /* one of 25 points is outside */
 #define SECTORS_MIN 8U         /* a quarter of the turn is seen */
 #define RMS_PX_Q16 9830U       /* .15 px, */
 #define RMS_SECTOR_PX_Q16 721U /* and .011 px for each sector seen */
 
-/* .012^2 in Q60: the range is expected within 1.2 %. */
-#define RANGE_SIGMA2_MAX_Q60 ((int64_t)166020696663386)
+/* .01^2 in Q60: the range is expected within 1 %. */
+#define RANGE_SIGMA2_MAX_Q60 ((int64_t)115292150460685)
 
 static bool is_vouched(const ocel_cone_t *cone, const ocel_cone_evidence_t *evidence) {
-    return (cone->inlier_count >= (cone->point_count / INLIERS_MIN_OF)) &&
+    return ((cone->inlier_count * INLIERS_MIN_OF) > cone->point_count) &&
            ((evidence->outside * OUTSIDE_MAX_OF) <= cone->point_count) &&
            (evidence->sectors >= SECTORS_MIN) && (!evidence->bent) &&
            (evidence->range_sigma2_q60 <= RANGE_SIGMA2_MAX_Q60) &&

@@ -37,7 +37,8 @@ enum { J_XX = 0, J_YY, J_XY, J_COUNT };
 typedef struct {
     int64_t xy_q40[2];
     int64_t j_q40[J_COUNT];
-    int64_t factor_q40; /* the radial factor */
+    int64_t factor_q40; /* the radial factor, and its derivative by r^2 */
+    int64_t derivative_q40;
 } bent_t;
 
 /* a * b to 2^-35: |a| <= 32.2 and |b| < 2^20, the product within 2^22. */
@@ -93,6 +94,17 @@ static int64_t times_slope_q40(int64_t x_q28, int64_t v_q40) {
     return ocel_shl64(ocel_mul_q60(ocel_shl64(x_q28, 29U), v_q40), 3U);
 }
 
+/* x^2 + y^2, at most 32.2. */
+static int64_t square_q55(const int64_t xy_q28[2]) {
+    return ocel_asr64((xy_q28[0] * xy_q28[0]) + (xy_q28[1] * xy_q28[1]), 1U);
+}
+
+/* The lens's radial part; apart from `bend`, which goes on from it, so that their frames
+ * are not on the stack together. */
+static void bend_radially(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], bent_t *bent) {
+    radial(lens, square_q55(xy_q28), &bent->factor_q40, &bent->derivative_q40);
+}
+
 /* With s = x^2 + y^2, l = p2 x + p1 y, f the radial factor and g = f + 2 l, the lens
  * is x' = g x + p2 s, y' = g y + p1 s, and its Jacobian
  *   g I + 2 f' (x, y)(x, y)' + 2 ((x, y)(p2, p1)' + (p2, p1)(x, y)').
@@ -100,17 +112,15 @@ static int64_t times_slope_q40(int64_t x_q28, int64_t v_q40) {
  * x f' within 2^18.2 and the Jacobian within 2^22. */
 static void bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], bent_t *bent) {
     const int64_t p_q24[2] = {lens->p2_q24, lens->p1_q24};
-    const int64_t s_q55 = ocel_asr64((xy_q28[0] * xy_q28[0]) + (xy_q28[1] * xy_q28[1]), 1U);
+    const int64_t s_q55 = square_q55(xy_q28);
+    const int64_t g_q40 =
+        bent->factor_q40 + ocel_asr64((xy_q28[0] * p_q24[0]) + (xy_q28[1] * p_q24[1]), 11U);
     int64_t turned_q40 = 0;
-    int64_t derivative_q40;
-    int64_t g_q40;
 
-    radial(lens, s_q55, &bent->factor_q40, &derivative_q40);
-    g_q40 = bent->factor_q40 + ocel_asr64((xy_q28[0] * p_q24[0]) + (xy_q28[1] * p_q24[1]), 11U);
     for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
         const int64_t x_q28 = xy_q28[i];
 
-        turned_q40 = times_slope_q40(x_q28, derivative_q40);
+        turned_q40 = times_slope_q40(x_q28, bent->derivative_q40);
         bent->xy_q40[i] = times_slope_q40(x_q28, g_q40) + times_q40(s_q55, p_q24[i] * 65536);
         bent->j_q40[i] =
             g_q40 + (2 * times_slope_q40(x_q28, turned_q40)) + ocel_asr64(x_q28 * p_q24[i], 10U);
@@ -122,6 +132,7 @@ static void bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], bent_t 
 void ocel_lens_bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], int64_t bent_q40[2]) {
     bent_t bent;
 
+    bend_radially(lens, xy_q28, &bent);
     bend(lens, xy_q28, &bent);
     bent_q40[0] = bent.xy_q40[0];
     bent_q40[1] = bent.xy_q40[1];
@@ -189,6 +200,7 @@ bool ocel_lens_unbend(const ocel_intrinsics_t *lens, int64_t xy_q28[2]) {
 
     /* bound: OCEL_UNDISTORT_STEPS */
     for (uint32_t i = 0U; good && (i < (uint32_t)OCEL_UNDISTORT_STEPS); i++) {
+        bend_radially(lens, xy_q28, &bent);
         bend(lens, xy_q28, &bent);
         if (i == 0U) { /* the radial factor alone */
             bent.j_q40[J_XX] = bent.factor_q40;
@@ -198,6 +210,7 @@ bool ocel_lens_unbend(const ocel_intrinsics_t *lens, int64_t xy_q28[2]) {
         good = step(&bent, target_q28, xy_q28);
     }
     if (good) {
+        bend_radially(lens, xy_q28, &bent);
         bend(lens, xy_q28, &bent);
         good = came_back(lens, &bent, target_q28);
     }

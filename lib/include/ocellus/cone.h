@@ -39,9 +39,9 @@ typedef struct {
  * has other samples, and an answer within the noise of the first.
  *   points   count points; not written.
  *   cone     out; written for OCEL_OK and OCEL_PARTIAL, zeroed otherwise.
- * OCEL_OK               vouched for: a quarter of the points consent (inlier_count) and
- *                       cover a quarter of the turn; at most 1 in 25 lies outside; they
- *                       do not bend away together; the range's sigma is below 1.2 % and
+ * OCEL_OK               vouched for: more than half of the points consent (inlier_count)
+ *                       and cover a quarter of the turn; at most 1 in 25 lies outside; they
+ *                       do not bend away together; the range's sigma is below 1 % and
  *                       rms below .15 px + .35 px * arc_coverage
  * OCEL_PARTIAL          an estimate that fails one of these; cov is 1 where nothing
  *                       could be solved
