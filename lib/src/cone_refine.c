@@ -131,9 +131,12 @@ static void rotate_covariance(const ocel_cone_frame_t *frame, int64_t local_q60[
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 */
         int64_t row_q60[3] = {0, 0, 0};
 
-        for (uint32_t k = 0U; k < 9U; k++) { /* bound: 9 */
-            row_q60[k % 3U] += ocel_mul_q60(local_q60[k / 3U][k % 3U],
-                                            (int64_t)frame->r_q30[k / 3U][i] * 0x40000000);
+        for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 */
+            const int64_t r_q60 = (int64_t)frame->r_q30[k][i] * 0x40000000;
+
+            for (uint32_t j = 0U; j < 3U; j++) { /* bound: 3 */
+                row_q60[j] += ocel_mul_q60(local_q60[k][j], r_q60);
+            }
         }
         for (uint32_t j = i; j < 3U; j++) { /* bound: 3 */
             cov_q60[at] = 0;

@@ -165,7 +165,7 @@ static ocel_status_t checked_fit(const ocel_source_t *source, bool present,
     }
     if (status == OCEL_OK) {
         status = fit(source, chosen, ellipse);
-        if ((status == OCEL_PARTIAL) && second_opinion(source, ellipse)) {
+        if ((status == OCEL_PARTIAL) && (!chosen->closed) && second_opinion(source, ellipse)) {
             status = OCEL_OK;
         }
     }

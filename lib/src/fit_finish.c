@@ -12,6 +12,20 @@
  * opinion.  Below, B2AC's bias can make a short arc look as long as it says. */
 #define TRUSTED_ARC_Q16 (27U * 2048U)
 
+/* What a whole boundary of pixels may miss its ellipse by and be vouched for: half a
+ * pixel (cracks of a clean disc: .24) and 1/64 of the semi-minor axis.  An edge with
+ * noise of .5 px has .5 px; a disc of which an occluder hides 5 % has 1/28 of its
+ * radius, 10 % 1/19. */
+#define SHAPE_RMS_PX_Q16 32768U
+#define SHAPE_RMS_SHIFT 6U
+
+static bool is_trusted(const ocel_ellipse_t *ellipse, bool closed) {
+    const uint32_t shape_rms = SHAPE_RMS_PX_Q16 + ((uint32_t)ellipse->b_px_q16 >> SHAPE_RMS_SHIFT);
+
+    return closed ? (ellipse->rms_px_q16 <= shape_rms)
+                  : (ellipse->arc_coverage_q16 >= TRUSTED_ARC_Q16);
+}
+
 /* The conic's flatness as every affine frame sees it: 4AC - B^2 over (A + C)^2
  * in the frame in which the points do not correlate.  An arc of a turn's
  * fraction t has about tan^2(90 t): .017 at 30 degrees, 2^-9 at 10. */
@@ -43,7 +57,7 @@ ocel_status_t ocel_fit_finish(const ocel_solution_t *solution, const ocel_source
             sectors = ocel_arc_sectors(source, &solution->conic, &solution->frame, ellipse);
         }
         ocel_arc_judge(sectors, ellipse);
-        status = (ellipse->arc_coverage_q16 >= TRUSTED_ARC_Q16) ? OCEL_OK : OCEL_PARTIAL;
+        status = is_trusted(ellipse, closed) ? OCEL_OK : OCEL_PARTIAL;
     } else {
         (void)memset(ellipse, 0, sizeof(*ellipse));
     }

@@ -506,6 +506,32 @@ static void test_sizes(void) {
     TEST_ASSERT_LESS_OR_EQUAL(8192U, sizeof(ocel_crack_pool_t));
 }
 
+/* A straight edge that hides a tenth of a ball's width: the
+ * boundary is whole and is no ellipse's, whatever the method.  Noise of half a pixel is
+ * no shape. */
+static void test_what_is_no_ellipse_is_not_vouched_for(void) {
+    const ocel_fit_options_t hyper = {OCEL_FIT_HYPER, OCEL_PERTURB_NEVER, false};
+
+    for (int radius = 20; radius <= 100; radius += 20) {
+        mask_clear(&mask, W, H);
+        mask_disc(&mask, 150.3, 118.6, radius, true);
+        TEST_ASSERT_EQUAL(OCEL_OK, detect());
+        mask_box(&mask, 150 + ((radius * 4) / 5), 0, 130, H, false);
+        TEST_ASSERT_EQUAL(OCEL_PARTIAL, detect());
+        TEST_ASSERT_TRUE(detection.has_ellipse);
+        TEST_ASSERT_EQUAL(OCEL_PARTIAL, ocel_eye_refit(&eye, &hyper, &detection));
+    }
+    mask_clear(&mask, W, H);
+    for (int y = 0; y < H; y++) {
+        for (int x = 0; x < W; x++) {
+            const double noisy = 40.0 + (0.5 * rng_gauss(&rng));
+
+            mask.pixel[(y * W) + x] = (hypot(x - 150.3, y - 118.6) <= noisy) ? 1U : 0U;
+        }
+    }
+    TEST_ASSERT_EQUAL(OCEL_OK, detect());
+}
+
 int main(void) {
     UNITY_BEGIN();
     printf("seed %d\n", SEED);
@@ -532,5 +558,6 @@ int main(void) {
     RUN_TEST(test_bad_lines);
     RUN_TEST(test_nothing_beyond_is_touched);
     RUN_TEST(test_sizes);
+    RUN_TEST(test_what_is_no_ellipse_is_not_vouched_for);
     return UNITY_END();
 }

@@ -81,7 +81,8 @@ ocel_status_t ocel_eye_row(ocel_eye_t *eye, uint16_t y, const uint32_t *row);
  * the blob is cut by the image's edge the cracks on the edge are not the ball's:
  * they are left out.  The return value equals detection->status.
  * OCEL_OK             blob and ellipse
- * OCEL_PARTIAL        blob and ellipse: the visible arc is too short to vouch
+ * OCEL_PARTIAL        blob and ellipse, but the boundary is no ellipse's (fit.h): the ball
+ *                     is hidden in part, say
  * OCEL_CLIPPED        the blob is cut by the image's edge; an ellipse through
  *                     what is inside, when has_ellipse
  * OCEL_NOT_SEEN       no blob of at least min_area pixels

@@ -22,8 +22,11 @@ extern "C" {
  * B2AC's own bias, which on arcs of 120 degrees is as large again (use
  * OCEL_FIT_HYPER there).  arc_coverage counts 32 sectors of the ellipse.
  *
- * A fit is vouched for when its points are said to be closed or cover 27/32 of
- * the turn (304 degrees).  A shorter arc wants agreement: B2AC (or LCSE) and
+ * Points said to be closed are a blob's whole boundary, and so a ball's only if they
+ * lie on the ellipse: vouched for is an rms of at most 1/2 px + 1/64 of the semi-minor
+ * axis (something that hides 5 % of a ball of 20 px takes it over that).
+ * Other points are vouched for when they cover 27/32 of the turn (304 degrees).  A
+ * shorter arc wants agreement: B2AC (or LCSE) and
  * hyper must put the centre in the same place, within 10 % of the semi-minor
  * axis, and below 11/32 of the turn (124 degrees) sigma must be under 5 % of it
  * too.  Exact points pass whatever their arc.
@@ -33,7 +36,8 @@ extern "C" {
  *   options  null means {OCEL_FIT_B2AC, OCEL_PERTURB_AUTO, false}.
  *   ellipse  out; written for OCEL_OK and OCEL_PARTIAL, zeroed otherwise.
  * OCEL_OK               an ellipse, vouched for
- * OCEL_PARTIAL          an ellipse, but the arc is too short for its noise
+ * OCEL_PARTIAL          an ellipse, but the arc is too short for its noise, or a closed
+ *                       boundary is no ellipse's
  * OCEL_TOO_FEW_POINTS   count < OCEL_MIN_FIT_POINTS
  * OCEL_DEGENERATE       collinear, coincident, or no unique best conic
  * OCEL_NOT_AN_ELLIPSE   the best conic is (nearly) a parabola, or no ellipse,
