@@ -44,7 +44,7 @@ static bool init_axis(ocel_camera_axis_t *axis, int32_t f_px_q16, int32_t c_px_q
     axis->f_px_q16 = f_px_q16;
     axis->c_px_q16 = c_px_q16;
     axis->first_px_q16 = (int32_t)first;
-    axis->span_px_q16 = (uint32_t)(last - first);
+    axis->span_px_q16 = (uint32_t)last - (uint32_t)first;
     ocel_recip_q60((uint64_t)f_px_q16 << 30U, &y_q60, &e);
     axis->inverse_f_q60 = ocel_scale_q60(y_q60, e - 14);
     return (first <= last) && (f_px_q16 >= FOCAL_MIN_Q16) && (f_px_q16 <= FOCAL_MAX_Q16) &&

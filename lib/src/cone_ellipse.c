@@ -81,7 +81,7 @@ static int64_t solve_q56(int64_t area_q56, int64_t square_q56) {
         int32_t e;
         int64_t ratio_q60;
 
-        ocel_rsqrt_q60((uint64_t)(q_q56 + square_q56), &y_q60, &e);
+        ocel_rsqrt_q60((uint64_t)q_q56 + (uint64_t)square_q56, &y_q60, &e);
         ratio_q60 = ocel_scale_q60(ocel_mul_q60(ocel_sqrt_q60((uint64_t)q_q56), y_q60), e);
         q_q56 = ONE_Q56 + ocel_mul_q60(area_q56, ratio_q60);
     }

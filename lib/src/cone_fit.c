@@ -30,8 +30,8 @@ static bool is_vouched(const ocel_cone_t *cone, const ocel_cone_evidence_t *evid
            (cone->rms_px_q16 <= (RMS_PX_Q16 + (RMS_SECTOR_PX_Q16 * evidence->sectors)));
 }
 
-static ocel_status_t check(const ocel_camera_t *camera, bool present, size_t count,
-                           const ocel_cone_t *cone) {
+static ocel_status_t check_fit(const ocel_camera_t *camera, bool present, size_t count,
+                               const ocel_cone_t *cone) {
     ocel_status_t status = OCEL_OK;
 
     if ((camera == NULL) || (!present) || (cone == NULL)) {
@@ -64,9 +64,9 @@ static ocel_status_t guess_of(const ocel_cone_source_t *source, ocel_cone_guess_
     return status;
 }
 
-static ocel_status_t fit(const ocel_camera_t *camera, const ocel_point_t *points,
-                         const ocel_crack_t *cracks, size_t count, ocel_cone_t *cone) {
-    ocel_status_t status = check(camera, (points != NULL) || (cracks != NULL), count, cone);
+static ocel_status_t fit_cone(const ocel_camera_t *camera, const ocel_point_t *points,
+                              const ocel_crack_t *cracks, size_t count, ocel_cone_t *cone) {
+    ocel_status_t status = check_fit(camera, (points != NULL) || (cracks != NULL), count, cone);
 
     if (cone != NULL) {
         (void)memset(cone, 0, sizeof(*cone));
@@ -102,10 +102,10 @@ static ocel_status_t fit(const ocel_camera_t *camera, const ocel_point_t *points
 
 ocel_status_t ocel_cone_fit_points(const ocel_camera_t *camera, const ocel_point_t *points,
                                    size_t count, ocel_cone_t *cone) {
-    return fit(camera, points, NULL, count, cone);
+    return fit_cone(camera, points, NULL, count, cone);
 }
 
 ocel_status_t ocel_cone_fit_cracks(const ocel_camera_t *camera, const ocel_crack_t *cracks,
                                    size_t count, ocel_cone_t *cone) {
-    return fit(camera, NULL, cracks, count, cone);
+    return fit_cone(camera, NULL, cracks, count, cone);
 }

@@ -6,7 +6,8 @@
 #include "q60.h"
 #include "scale.h"
 
-#define ONE_Q28 ((int32_t)1 << 28U)
+#define ONE_Q28 0x10000000
+#define ONE_Q56 ((int64_t)0x100000000000000)
 
 /* The least spread: 2^-14 rad. */
 #define SPREAD_LOG2_MAX 14U
@@ -36,10 +37,11 @@ static uint64_t spread_of(const ocel_cone_source_t *source, int32_t mean_px_q16[
 }
 
 uint64_t ocel_cone_stretch_q26(int32_t z_q30) {
+    const int64_t square_q60 = (int64_t)z_q30 * z_q30;
     int64_t y_q60;
     int32_t e;
 
-    ocel_recip_q60((uint64_t)((int64_t)z_q30 * z_q30), &y_q60, &e); /* e is 0..6 */
+    ocel_recip_q60((uint64_t)square_q60, &y_q60, &e); /* e is 0..6 */
     return (uint64_t)ocel_scale_q60(y_q60, e - 34);
 }
 
@@ -106,8 +108,7 @@ void ocel_cone_frame(const int32_t axis_cam_q30[3], ocel_cone_frame_t *frame) {
 void ocel_cone_turn(const ocel_cone_frame_t *frame, int32_t x_q28, int32_t y_q28,
                     int32_t axis_cam_q30[3]) {
     const int32_t p_q28[3] = {x_q28, y_q28, ONE_Q28};
-    const int64_t square_q56 =
-        ((int64_t)x_q28 * x_q28) + ((int64_t)y_q28 * y_q28) + ((int64_t)1 << 56U);
+    const int64_t square_q56 = ((int64_t)x_q28 * x_q28) + ((int64_t)y_q28 * y_q28) + ONE_Q56;
     int64_t y_q60;
     int32_t e;
 

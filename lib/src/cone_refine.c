@@ -14,7 +14,7 @@
 
 /* Neighbouring cracks err alike: the variance of a mean of n is twice that of n
  * independent errors, and more when the residuals bend. */
-#define CORRELATION 2
+#define CORRELATION_LOG2 1
 
 /* Residuals that deviate together: a sector's sum of n has a variance of more than
  * BENT_LIMIT * n times that of one. */
@@ -50,12 +50,17 @@ static void normal_of(const ocel_cone_sums_t *sums, int64_t m[OCEL_SYM3_COUNT], 
         const int64_t d = sums->d_px_q16[k];
         const int32_t c = cosine_q14[k];
         const int32_t s = sine_q14(k);
+        const int32_t cc_q28 = c * c;
+        const int32_t cs_q28 = c * s;
+        const int32_t ss_q28 = s * s;
+        const int32_t c_q28 = c * 16384;
+        const int32_t s_q28 = s * 16384;
 
-        m[OCEL_XX] += n * (c * c);
-        m[OCEL_XY] += n * (c * s);
-        m[OCEL_XZ] += n * (c * 16384);
-        m[OCEL_YY] += n * (s * s);
-        m[OCEL_YZ] += n * (s * 16384);
+        m[OCEL_XX] += n * cc_q28;
+        m[OCEL_XY] += n * cs_q28;
+        m[OCEL_XZ] += n * c_q28;
+        m[OCEL_YY] += n * ss_q28;
+        m[OCEL_YZ] += n * s_q28;
         m[OCEL_ZZ] += n * 0x10000000;
         b[0] += d * c;
         b[1] += d * s;
@@ -89,10 +94,11 @@ static rest_t rest_of(const ocel_cone_sums_t *sums, const int64_t x_q60[3]) {
             ocel_asr64(((int64_t)x_q24[0] * cosine_q14[k]) + ((int64_t)x_q24[1] * sine_q14(k)) +
                            ((int64_t)x_q24[2] * 16384),
                        22U);
-        const int64_t left_q12 = ocel_asr64(sums->d_px_q16[k] - (step_q16 * sums->inliers[k]), 4U);
+        const int64_t left_q12 =
+            ocel_asr64(sums->d_px_q16[k] - (step_q16 * (int64_t)sums->inliers[k]), 4U);
 
         explained_q32 += step_q16 * sums->d_px_q16[k];
-        rest.sectors_q24 += (uint64_t)(left_q12 * left_q12);
+        rest.sectors_q24 += (uint64_t)left_q12 * (uint64_t)left_q12;
     }
     if (sums->squares_q32 > explained_q32) {
         rest.points_q24 = (uint64_t)ocel_asr64(sums->squares_q32 - explained_q32, 8U);
@@ -100,7 +106,7 @@ static rest_t rest_of(const ocel_cone_sums_t *sums, const int64_t x_q60[3]) {
     return rest;
 }
 
-static ocel_scaled_t times(ocel_scaled_t a, ocel_scaled_t b) {
+static ocel_scaled_t product_of(ocel_scaled_t a, ocel_scaled_t b) {
     const ocel_scaled_t product = {ocel_mul_q60(a.y_q60, b.y_q60), a.e + b.e};
 
     return product;
@@ -162,11 +168,12 @@ static ocel_scaled_t variance_of(const ocel_cone_sums_t *sums, const rest_t *res
     ocel_scaled_t rate = inverse_of((uint64_t)sums->r_px_q16 << 30U); /* 2^14 / R */
     const ocel_scaled_t open = inverse_of((uint64_t)open_q60);
     const ocel_scaled_t numerator = {ocel_signed64(most << shift),
-                                     (37 - (int32_t)shift) - (15 + 28 + (int32_t)down)};
+                                     (36 + CORRELATION_LOG2 - (int32_t)shift) -
+                                         (15 + 28 + (int32_t)down)};
 
-    rate = times(times(rate, rate), times(open, open));
-    rate = times(rate, inverse_of((uint64_t)(sums->inlier_count - 3U) << 45U));
-    return times(times(rate, inverse->rate), numerator);
+    rate = product_of(product_of(rate, rate), product_of(open, open));
+    rate = product_of(rate, inverse_of((uint64_t)(sums->inlier_count - 3U) << 45U));
+    return product_of(product_of(rate, inverse->rate), numerator);
 }
 
 /* The centre's covariance over its distance squared.  With q = (x, y, radius) / R the
@@ -225,7 +232,7 @@ static uint32_t sine_of(int64_t tan_q60) {
     int64_t y_q60;
     int32_t e;
 
-    ocel_rsqrt_q60((uint64_t)(OCEL_Q60_ONE + ocel_mul_q60(tan_q60, tan_q60)), &y_q60, &e);
+    ocel_rsqrt_q60((uint64_t)OCEL_Q60_ONE + (uint64_t)ocel_mul_q60(tan_q60, tan_q60), &y_q60, &e);
     return (uint32_t)ocel_scale_q60(ocel_mul_q60(tan_q60, y_q60), e - 30);
 }
 
@@ -241,8 +248,8 @@ static uint32_t sectors_of(const ocel_cone_sums_t *sums) {
 
 /* The step, the residual and the covariance; what cannot be solved leaves the guess,
  * with a covariance of 1. */
-static void solve(const ocel_cone_sums_t *sums, const ocel_cone_guess_t *guess, ocel_cone_t *cone,
-                  ocel_cone_evidence_t *evidence) {
+static void solve_step(const ocel_cone_sums_t *sums, const ocel_cone_guess_t *guess,
+                       ocel_cone_t *cone, ocel_cone_evidence_t *evidence) {
     int64_t tan_q60 = ocel_shl64(guess->tan_q46, 14U);
     const int64_t open_q60 = OCEL_Q60_ONE + ocel_mul_q60(tan_q60, tan_q60);
     int64_t x_q60[3] = {0, 0, 0};
@@ -290,5 +297,5 @@ void ocel_cone_refine(const ocel_cone_sums_t *sums, const ocel_cone_guess_t *gue
     evidence->outside = sums->outside;
     evidence->sectors = sectors_of(sums);
     cone->arc_coverage_q16 = evidence->sectors * (65536U / OCEL_SECTORS);
-    solve(sums, guess, cone, evidence);
+    solve_step(sums, guess, cone, evidence);
 }

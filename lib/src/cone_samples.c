@@ -7,7 +7,7 @@
 
 #define ONE_Q30 0x40000000
 
-#define SIDE_MAX_Q13 24575
+#define SIDE_MAX_Q13 24575U
 #define E_MAX_Q13 32767
 
 /* Of a sample that lies too far out to be a number: outside of every cone. */
@@ -26,17 +26,18 @@ static void put_sample(ocel_cone_samples_t *samples, uint32_t i, int64_t u_q13, 
  * is cut off, which put_sample then sees. */
 static int64_t component_q26(int64_t p_q28, int64_t n_q30, uint32_t spread_log2) {
     const int64_t u_q26 = ocel_shift_round64(p_q28 * n_q30, 32U - spread_log2);
-    const int64_t most = (int64_t)1 << 30U;
+    const int64_t most = 0x40000000;
 
     return (u_q26 > most) ? most : ((u_q26 < -most) ? -most : u_q26);
 }
 
 /* e = (u^2 + v^2) / (1 + w), exact for narrow cones where 1 - w is not.  1 + w is
- * 1/16 at least (160 degrees apart), its inverse y 2^(up - 3). */
+ * 1/16 at least (160 degrees apart), its inverse y 2^(up - 3); the 1 tells a
+ * compiler that it is not 0. */
 static int64_t depth_q13(int64_t u_q26, int64_t v_q26, int64_t w_q26) {
     const int64_t square_q22 = ocel_asr64((u_q26 * u_q26) + (v_q26 * v_q26), 30U); /* <= 2^31 */
-    const uint64_t below_q60 = (uint64_t)(w_q26 + 0x4000000) << 34U;
-    const uint32_t up = ocel_clz64(below_q60); /* 2 .. 7 */
+    const uint64_t below_q60 = ((uint64_t)w_q26 + 0x4000000U) << 34U;
+    const uint32_t up = ocel_clz64(below_q60 | 1U); /* 2 .. 7 */
     const int64_t y_q31 = ocel_recip32((uint32_t)((below_q60 << up) >> 32U));
 
     return ocel_shift_round64(square_q22 * y_q31, 43U - up);
@@ -53,7 +54,7 @@ static void scale_ray(int64_t p[3], uint32_t spread_log2) {
         square_q56 += p[i] * p[i];
     }
     ocel_rsqrt_q60((uint64_t)square_q56, &y_q60, &e);
-    y_q60 = ocel_asr64(y_q60, (uint32_t)(32 - e));
+    y_q60 = ocel_asr64(y_q60, 32U - (uint32_t)e);
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 */
         p[i] = component_q26(p[i], y_q60, (i < 2U) ? spread_log2 : 0U);
     }

@@ -18,12 +18,12 @@
 #define OUTSIDE_PX_Q16 26214
 
 /* |X| and |Y| of points that are looked at. */
-#define SIDE_Q24 ((int64_t)1 << 28U)
+#define SIDE_Q24 ((uint64_t)1U << 28U)
 
 /* A distance that is none of an inlier's. */
 #define FAR INT32_MAX
 
-#define HALF_Q28 ((int64_t)1 << 27U)
+#define HALF_Q28 ((uint64_t)1U << 27U)
 
 /* The map to the unit circle: the frame's rows x and y over t z0, in units of 2^side_e,
  * and z over z0. */
@@ -53,7 +53,7 @@ static void map_of(const ocel_cone_source_t *source, const ocel_cone_guess_t *gu
 
     ocel_recip_q60((uint64_t)guess->tan_q46 << 14U, &y_q60, &e);
     y_q60 = ocel_mul_q60(y_q60, (int64_t)z_q30 * 0x40000000);
-    map->side_down = (uint32_t)(34 - e);
+    map->side_down = 34U - (uint32_t)e;
     ocel_cone_map(source, guess->axis_cam_q30, ocel_asr64(y_q60, 30U), z_q30, &map->scaled);
     map->r_px_q16 = (int32_t)((r_px_q16 > 0x40000000U) ? 0x40000000U : r_px_q16);
     map->gate_px_q16 = (int32_t)gate_of(guess->rms_px_q16, (uint32_t)map->r_px_q16);
@@ -67,8 +67,8 @@ static inline int32_t distance_px_q16(const map_t *map, int64_t a_q28) {
 }
 
 /* v within -half .. half - 1, half a power of two: one comparison. */
-static inline bool is_within(int64_t v, int64_t half) {
-    return (uint64_t)(v + half) < (2U * (uint64_t)half);
+static inline bool is_between(int64_t v, uint64_t half) {
+    return ((uint64_t)v + half) < (2U * half);
 }
 
 static inline bool is_inlier(const map_t *map, int32_t d_px_q16) {
@@ -84,10 +84,10 @@ static inline void sum_point(const map_t *map, const int32_t ab[2], ocel_cone_su
     const int64_t z_q24 = ocel_asr64(ocel_cone_component_q58(scaled, 2U, ab), 34U);
 
     /* Both below 2^29 when their bits together are. */
-    if (((uint64_t)(x_q24 + SIDE_Q24) | (uint64_t)(y_q24 + SIDE_Q24)) < (2U * (uint64_t)SIDE_Q24)) {
+    if ((((uint64_t)x_q24 + SIDE_Q24) | ((uint64_t)y_q24 + SIDE_Q24)) < (2U * SIDE_Q24)) {
         const uint32_t sector = ocel_sector_of(x_q24, y_q24);
         const int64_t a_q28 = ocel_asr64((x_q24 * x_q24) + (y_q24 * y_q24) - (z_q24 * z_q24), 21U);
-        const int32_t d_px_q16 = is_within(a_q28, HALF_Q28) ? distance_px_q16(map, a_q28) : FAR;
+        const int32_t d_px_q16 = is_between(a_q28, HALF_Q28) ? distance_px_q16(map, a_q28) : FAR;
 
         if (is_inlier(map, d_px_q16)) {
             sums->inliers[sector]++;

@@ -32,11 +32,11 @@ static const uint32_t gate_px_q16[ROUNDS] = {98304U, 65536U, 52429U};
 #define VOTE_PX_Q16 49152U
 
 /* A and B are within 3. */
-#define SLOPE_MAX_Q28 ((int64_t)12287 << 16U)
+#define SLOPE_MAX_Q28 ((uint64_t)12287U << 16U)
 
 /* T between 1/16 and 3. */
-#define T2_MIN_Q48 ((int64_t)1 << 40U)
-#define T2_MAX_Q48 ((int64_t)9 << 48U)
+#define T2_MIN_Q48 ((int64_t)0x10000000000)
+#define T2_MAX_Q48 ((int64_t)0x9000000000000)
 
 /* Twice the area of a hypothesis's triangle, in h^2: 2^-10 at least. */
 #define AREA_MIN_Q26 65536U
@@ -55,9 +55,8 @@ typedef struct {
  * |C| is below 22 through three samples, and moves by less than 1 in a round. */
 static bool finish_plane(int64_t a_q28, int64_t b_q28, int64_t c_q25, uint32_t spread_log2,
                          plane_t *plane) {
-    bool valid = (ocel_abs64(a_q28) <= (uint64_t)SLOPE_MAX_Q28) &&
-                 (ocel_abs64(b_q28) <= (uint64_t)SLOPE_MAX_Q28) &&
-                 (ocel_asr64(c_q25, 2U * spread_log2) < ((int64_t)1 << 24U));
+    bool valid = (ocel_abs64(a_q28) <= SLOPE_MAX_Q28) && (ocel_abs64(b_q28) <= SLOPE_MAX_Q28) &&
+                 (ocel_asr64(c_q25, 2U * spread_log2) < 0x1000000);
 
     if (valid) {
         const int64_t a_q24 = ocel_asr64(a_q28, 4U);
@@ -116,10 +115,11 @@ static int64_t size_q58(const plane_t *plane) {
 }
 
 /* T within 3 %, which a gate can bear: with T^2 = m 4^e, m in [1, 4), the line
- * (m + 2) / 3 raised by half its sag. */
+ * (m + 2) / 3 raised by half its sag.  T^2 is T2_MIN_Q48 at least; the 1 tells a compiler that
+ * it is not 0. */
 static uint32_t rough_size_q12(const plane_t *plane) {
     const uint32_t t2 = (uint32_t)ocel_asr64(plane->t2_q48, 24U);
-    const uint32_t e = (31U - ocel_clz32(t2)) / 2U; /* 8 .. 13 */
+    const uint32_t e = (31U - ocel_clz32(t2 | 1U)) / 2U; /* 8 .. 13 */
 
     return (((t2 >> e) + ((uint32_t)2U << e)) * 22459U) >> 16U;
 }
@@ -127,7 +127,9 @@ static uint32_t rough_size_q12(const plane_t *plane) {
 /* A distance in px from the outline as a residual, Q25: T is at most 3.1, a pixel at most
  * h, the distance below 2 px. */
 static int32_t residual_of(uint32_t size_q12, uint32_t pixel_q25, uint32_t px_q16) {
-    return (int32_t)(((((uint64_t)size_q12 * pixel_q25) >> 12U) * px_q16) >> 16U);
+    const uint64_t r_q25 = ((((uint64_t)size_q12 * pixel_q25) >> 12U) * px_q16) >> 16U;
+
+    return (int32_t)r_q25;
 }
 
 /* A sample's residual, positive inside: |A u|, |B v| <= 9, |C| <= 22, e <= 4. */
@@ -162,7 +164,7 @@ static bool elect(const ocel_cone_samples_t *samples, const ocel_cone_place_t *p
                                         {11U, 21U}, {5U, 15U}, {3U, 10U}, {6U, 19U}};
     int32_t most = INT32_MIN;
 
-    for (uint32_t k = 0U; k < OCEL_CONE_HYPOTHESES; k++) { /* bound: OCEL_CONE_HYPOTHESES = 64 */
+    for (uint32_t k = 0U; k < (uint32_t)OCEL_CONE_HYPOTHESES; k++) { /* bound: 64 */
         const uint8_t *step = steps[(k + (k / SAMPLES)) % 8U];
         plane_t plane;
 
@@ -188,12 +190,12 @@ typedef struct {
     int64_t b_q60[3];
     int64_t squares_q50;
     uint32_t count;
-} normal_t;
+} plane_normal_t;
 
 /* Sums of u and v are below 2^20, of their products over 2^6 below 2^29, of products
  * with a residual, itself below 2^28, below 2^48. */
 static void sum_samples(const ocel_cone_samples_t *s, const plane_t *plane, int32_t gate_q25,
-                        normal_t *normal) {
+                        plane_normal_t *normal) {
     int32_t m[OCEL_SYM3_COUNT] = {0, 0, 0, 0, 0, 0};
     int64_t b[3] = {0, 0, 0};
 
@@ -238,7 +240,7 @@ static uint32_t settle(const ocel_cone_samples_t *s, const ocel_cone_place_t *pl
     for (uint32_t round = 0U; round < ROUNDS; round++) { /* bound: ROUNDS = 3 */
         const int32_t gate_q25 =
             residual_of(rough_size_q12(plane), place->pixel_q25, gate_px_q16[round]);
-        normal_t normal;
+        plane_normal_t normal;
         ocel_sym3_inverse_t inverse;
         int64_t x_q60[3];
 
@@ -265,7 +267,7 @@ static uint32_t settle(const ocel_cone_samples_t *s, const ocel_cone_place_t *pl
 static bool cone_of(const plane_t *plane, const ocel_cone_place_t *place,
                     ocel_cone_guess_t *guess) {
     const int64_t below_q55 =
-        ((int64_t)1 << 55U) -
+        (int64_t)0x80000000000000 -
         ocel_scale_q60((int64_t)plane->c_q25, 30 - (2 * (int32_t)place->spread_log2));
     ocel_cone_frame_t frame;
     ocel_scaled_t rate;
@@ -276,7 +278,7 @@ static bool cone_of(const plane_t *plane, const ocel_cone_place_t *place,
                                     rate.e - 5 - 12 - (int32_t)place->spread_log2);
     ocel_cone_turn(&frame, (int32_t)ocel_asr64(plane->a_q28, place->spread_log2),
                    (int32_t)ocel_asr64(plane->b_q28, place->spread_log2), guess->axis_cam_q30);
-    return (guess->tan_q46 <= ((int64_t)1 << 46U)) && (guess->axis_cam_q30[2] >= 0x0C000000);
+    return (guess->tan_q46 <= (int64_t)0x400000000000) && (guess->axis_cam_q30[2] >= 0x0C000000);
 }
 
 bool ocel_cone_elect(const ocel_cone_samples_t *samples, const ocel_cone_place_t *place,

@@ -74,12 +74,15 @@ void ocel_frontier_release(ocel_labeller_t *lab) {
 
 /* ---- Runs ---- */
 
-void ocel_frontier_set(ocel_labeller_t *lab, ocel_run_t *first, ocel_run_t *last) {
+void ocel_frontier_set(ocel_labeller_t *lab, const ocel_run_t *first, ocel_run_t *last) {
+    const ptrdiff_t first_run = first - lab->frontier;
+    const ptrdiff_t last_run = last - lab->frontier;
+
     last->start = OCEL_ROW_END;
     last->end = OCEL_ROW_END;
     last->label = OCEL_NO_LABEL;
-    lab->first_run = (uint16_t)(first - lab->frontier);
-    lab->last_run = (uint16_t)(last - lab->frontier);
+    lab->first_run = (uint16_t)first_run;
+    lab->last_run = (uint16_t)last_run;
 }
 
 ocel_crack_pair_t ocel_frontier_take_edges(ocel_labeller_t *lab, ocel_crack_pool_t *pool,

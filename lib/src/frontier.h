@@ -44,7 +44,7 @@ static inline ocel_run_t *ocel_frontier_after(ocel_labeller_t *lab, ocel_run_t *
 
 /* Makes the frontier the places from `first` up to `last`, which ends the row: it
  * touches nothing. */
-void ocel_frontier_set(ocel_labeller_t *lab, ocel_run_t *first, ocel_run_t *last);
+void ocel_frontier_set(ocel_labeller_t *lab, const ocel_run_t *first, ocel_run_t *last);
 
 /* Takes the cells of the edges of a run [start, end) and links the left one to the
  * cell `after`, or to the right one when that is OCEL_NO_CELL.  If the component

@@ -28,7 +28,7 @@
 /* What a step takes: elements of the Jacobian within 64 and differences within 4, both
  * 2^30 here, and a determinant of 2^-16 or more. */
 #define JOINED_MAX ((uint64_t)0x40000000)
-#define DETERMINANT_MIN_Q48 ((int64_t)0x100000000)
+#define DETERMINANT_MIN_Q48 ((int64_t)65536 * 65536)
 
 /* Elements of a Jacobian, which is symmetric. */
 enum { J_XX = 0, J_YY, J_XY, J_COUNT };

@@ -21,7 +21,7 @@
 /* Where in the three words of a group the bytes of one channel stand. */
 typedef struct {
     ocel_word_t mask[3];
-} plane_t;
+} byte_plane_t;
 
 /* The bytes of a word whose index is 0, 1 or 2 modulo 3; and their order for a
  * channel: byte 0 of word k is byte k OCEL_GROUP of the group, which modulo 3 is
@@ -30,19 +30,19 @@ typedef struct {
 #define THIRDS_0 UINT64_C(0x00FF0000FF0000FF)
 #define THIRDS_1 UINT64_C(0xFF0000FF0000FF00)
 #define THIRDS_2 UINT64_C(0x0000FF0000FF0000)
-static const plane_t plane_at[3] = {{{THIRDS_0, THIRDS_1, THIRDS_2}},
-                                    {{THIRDS_1, THIRDS_2, THIRDS_0}},
-                                    {{THIRDS_2, THIRDS_0, THIRDS_1}}};
+static const byte_plane_t plane_at[3] = {{{THIRDS_0, THIRDS_1, THIRDS_2}},
+                                         {{THIRDS_1, THIRDS_2, THIRDS_0}},
+                                         {{THIRDS_2, THIRDS_0, THIRDS_1}}};
 #else
 #define THIRDS_0 0xFF0000FFU
 #define THIRDS_1 0x0000FF00U
 #define THIRDS_2 0x00FF0000U
-static const plane_t plane_at[3] = {{{THIRDS_0, THIRDS_2, THIRDS_1}},
-                                    {{THIRDS_1, THIRDS_0, THIRDS_2}},
-                                    {{THIRDS_2, THIRDS_1, THIRDS_0}}};
+static const byte_plane_t plane_at[3] = {{{THIRDS_0, THIRDS_2, THIRDS_1}},
+                                         {{THIRDS_1, THIRDS_0, THIRDS_2}},
+                                         {{THIRDS_2, THIRDS_1, THIRDS_0}}};
 #endif
 
-static inline ocel_word_t take(const plane_t *plane, const uint8_t *group) {
+static inline ocel_word_t take(const byte_plane_t *plane, const uint8_t *group) {
     return (ocel_load_word(group) & plane->mask[0]) |
            (ocel_load_word(&group[OCEL_WORD_BYTES]) & plane->mask[1]) |
            (ocel_load_word(&group[2U * OCEL_WORD_BYTES]) & plane->mask[2]);
@@ -51,12 +51,12 @@ static inline ocel_word_t take(const plane_t *plane, const uint8_t *group) {
 /* The upper seven bits of one channel: what most groups are rejected by, so it
  * is the whole of the inner loop and has no more than it needs. */
 typedef struct {
-    plane_t upper;
+    byte_plane_t upper;
     ocel_lane_range_t range;
 } glance_t;
 
 static inline glance_t glance_at(const uint32_t lanes[4], uint32_t at) {
-    const plane_t *const plane = &plane_at[at];
+    const byte_plane_t *const plane = &plane_at[at];
     const glance_t first = {{{plane->mask[0] & ~OCEL_LOW_BITS, plane->mask[1] & ~OCEL_LOW_BITS,
                               plane->mask[2] & ~OCEL_LOW_BITS}},
                             ocel_lane_range(lanes)};
@@ -148,8 +148,8 @@ static inline uint32_t gather_group(const uint8_t *all) {
 }
 
 /* Tests VECTOR bytes: 255 when in range, else 0. */
-static inline void test_bytes(const uint8_t *restrict bytes, const uint8_t *restrict lo,
-                              const uint8_t *restrict span, uint8_t *restrict in) {
+static inline void test_bytes(const uint8_t *bytes, const uint8_t *lo, const uint8_t *span,
+                              uint8_t *in) {
     for (uint32_t i = 0U; i < VECTOR; i++) { /* bound: VECTOR */
         const uint8_t above = (uint8_t)(bytes[i] - lo[i]);
 
@@ -158,7 +158,7 @@ static inline void test_bytes(const uint8_t *restrict bytes, const uint8_t *rest
 }
 
 /* For VECTOR bytes: whether they and the two that follow are in range. */
-static inline void join_bytes(const uint8_t *restrict in, uint8_t *restrict all) {
+static inline void join_bytes(const uint8_t *in, uint8_t *all) {
     for (uint32_t i = 0U; i < VECTOR; i++) { /* bound: VECTOR */
         all[i] = in[i] & in[i + 1U] & in[i + 2U];
     }
@@ -208,7 +208,7 @@ static void box_from(const glance_t *first, const uint32_t lanes[3][4], const ui
 /* ---- The whole test, plane by plane ---- */
 
 typedef struct {
-    plane_t plane;
+    byte_plane_t plane;
     uint32_t rotation; /* bits, to OCEL_ORDER_BY_THREES */
     ocel_lane_range_t range;
 } channel_test_t;

@@ -364,7 +364,7 @@ static ocel_status_t place_by_radius(const ocel_cone_t *cone, const ocel_pose_t 
     if (status == OCEL_OK) {
         const int64_t range_u = (int64_t)sphere.range_u;
         const int64_t square_u2 = range_u * range_u;
-        int64_t along_q60[3];
+        int64_t along_q60[3] = {0, 0, 0};
 
         times(sight->cov_q60, sight->line.d_q60, along_q60);
         sight->range_u = sphere.range_u;
@@ -448,9 +448,10 @@ static void kalman_step(const int64_t cd[3], int64_t s, uint64_t size, int64_t o
     for (uint32_t i = 0U; (i < 3U) && (e <= 4); i++) { /* bound: 3 axes */
         const int64_t g_q56 = ocel_scale_q60(ocel_mul_q60(ocel_scale_q60(cd[i], up), y_q60), e - 4);
         const int64_t step_q21 = ocel_mul_q60(g_q56, ocel_shl64(off_u, 25U));
+        const uint32_t p_u =
+            (uint32_t)estimate->p_root_u[i] + (uint32_t)ocel_shift_round64(step_q21, 21U);
 
-        estimate->p_root_u[i] = (int32_t)((uint32_t)estimate->p_root_u[i] +
-                                          (uint32_t)ocel_shift_round64(step_q21, 21U));
+        estimate->p_root_u[i] = (int32_t)p_u;
         for (uint32_t j = i; j < 3U; j++) { /* bound: 3 axes */
             cov[AT[i][j]] -= ocel_mul_q60(g_q56, ocel_shl64(cd[j], 4U));
         }

@@ -4,7 +4,7 @@
 #include "int_math.h"
 #include "q60.h"
 
-#define LEAST_Q60 ((int64_t)1 << 12U)
+#define LEAST_Q60 4096
 
 /* Where row i of a symmetric matrix has its entries. */
 static const uint8_t place[3][3] = {
