@@ -4,14 +4,15 @@ set -uo pipefail
 
 usage() {
     cat <<'HELP'
-usage: tools/check_warnings.sh
+usage: tools/check_warnings.sh [SOURCE...]
 
 Claim: the library compiles without one warning, as pedantic C99, with gcc
 (its static analyser on) and with clang, under the default, the largest and the
-smallest limits; each public header compiles alone as C99 and as C++17.
+smallest limits; each public header compiles alone as C99 and as C++17.  With
+SOURCE (as lib/sources.txt lists it: src/status.c) only those, and every header.
 HELP
 }
-case "${1:-}" in -h | --help) usage && exit 0 ;; "") ;; *) usage >&2 && exit 2 ;; esac
+case "${1:-}" in -h | --help) usage && exit 0 ;; -*) usage >&2 && exit 2 ;; esac
 
 cd "$(dirname "$0")/.." || exit 1
 gcc="${GCC:-gcc}" gxx="${GXX:-g++}" clang="${CLANG:-clang-19}"
@@ -30,6 +31,9 @@ only_clang=(-Wcast-align)
 limits=("" "-DOCEL_MAX_WIDTH=4096 -DOCEL_MAX_HEIGHT=4096 -DOCEL_MAX_CRACKS=65534"
     "-DOCEL_MAX_WIDTH=8 -DOCEL_MAX_HEIGHT=1 -DOCEL_MAX_CRACKS=64")
 
+sources=("$@")
+[ "$#" -gt 0 ] || mapfile -t sources < <(grep -v '^#' lib/sources.txt)
+
 # A header is compiled by including it in a file with one declaration.
 unit="$(mktemp)"
 trap 'rm -f "$unit"' EXIT
@@ -38,12 +42,12 @@ echo 'extern int ocel_nothing;' >"$unit"
 # One command a line; xargs runs two at a time.
 commands() {
     local source header limit
-    while read -r source; do
+    for source in "${sources[@]}"; do
         for limit in "${limits[@]}"; do
             echo "$gcc ${common[*]} ${only_gcc[*]} $limit lib/$source"
             echo "$clang ${common[*]} ${only_clang[*]} $limit lib/$source"
         done
-    done < <(grep -v '^#' lib/sources.txt)
+    done
     for header in lib/include/ocellus/*.h; do
         echo "$gcc ${common[*]} ${only_gcc[*]} -x c -include $PWD/$header $unit"
         echo "$gxx -std=c++17 -pedantic -Wall -Wextra -Werror -Ilib/include -c -o /dev/null" \

@@ -63,12 +63,12 @@ restore() { # only what differs, so that the next build is of that alone
 seed() { cat >>"lib/src/status.c"; } # code from stdin at the end of a module
 
 seed <<<'int ocel_seed(int a); int ocel_seed(int a) { int unused; return a; }'
-caught "an unused variable" "unused" tools/check_warnings.sh
+caught "an unused variable" "unused" tools/check_warnings.sh src/status.c
 seed <<<'int ocel_seed(void); int ocel_seed(void) { int *p = (int *)0; return *p; }'
-caught "a null pointer read, by gcc's analyser" "null" tools/check_warnings.sh
+caught "a null pointer read, by gcc's analyser" "null" tools/check_warnings.sh src/status.c
 echo 'typedef int ocel_seed_t; static inline int ocel_seed(int class) { return class; }' \
     >>lib/include/ocellus/config.h
-caught "a header that is no C++" "config.h" tools/check_warnings.sh
+caught "a header that is no C++" "config.h" tools/check_warnings.sh src/status.c
 
 seed <<<'int   badly_formatted ;'
 caught "bad formatting" "clang-format" tools/check_format.sh
