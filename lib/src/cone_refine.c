@@ -181,14 +181,13 @@ static ocel_scaled_t variance_of(const ocel_cone_sums_t *sums, const rest_t *res
 static bool covariance_of(const ocel_cone_frame_t *frame, int64_t tan_q60,
                           const ocel_sym3_inverse_t *inverse, ocel_scaled_t variance,
                           ocel_cone_t *cone, ocel_cone_evidence_t *evidence) {
-    static const uint8_t place[3][3] = {{0U, 1U, 2U}, {1U, 3U, 4U}, {2U, 4U, 5U}};
     const int64_t gain_q60[3] = {tan_q60, tan_q60, -OCEL_Q60_ONE};
     int64_t local_q60[3][3];
     bool known = true;
 
     for (uint32_t i = 0U; i < 3U; i++) {     /* bound: 3 */
         for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 */
-            const int64_t entry = ocel_mul_q60(inverse->adjoint_q60[place[i][k]],
+            const int64_t entry = ocel_mul_q60(inverse->adjoint_q60[ocel_sym3_at[i][k]],
                                                ocel_mul_q60(gain_q60[i], gain_q60[k]));
 
             known =

@@ -15,6 +15,7 @@
 #include "pose.h"
 #include "q60.h"
 #include "scale.h"
+#include "sym3.h"
 #include "trig.h"
 
 #define ONE_Q30 ((int32_t)0x40000000)
@@ -277,10 +278,6 @@ ocel_status_t ocel_stereo_encoders(ocel_encoders_t variant, int32_t baseline_u, 
 
 /* ---- covariances ---- */
 
-/* Where an element of a symmetric matrix stands among its six. */
-static const uint8_t AT[3][3] = {
-    {OCEL_XX, OCEL_XY, OCEL_XZ}, {OCEL_XY, OCEL_YY, OCEL_YZ}, {OCEL_XZ, OCEL_YZ, OCEL_ZZ}};
-
 typedef struct {
     int64_t row_q60[3][3];
 } matrix_t;
@@ -288,7 +285,8 @@ typedef struct {
 /* C v.  |v| <= 1.51 in Q60, elements of C below 2^60. */
 static void times(const int64_t cov[OCEL_SYM3_COUNT], const int64_t v_q60[3], int64_t product[3]) {
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-        const int64_t row[3] = {cov[AT[i][0]], cov[AT[i][1]], cov[AT[i][2]]};
+        const int64_t row[3] = {cov[ocel_sym3_at[i][0]], cov[ocel_sym3_at[i][1]],
+                                cov[ocel_sym3_at[i][2]]};
 
         product[i] = dot(row, v_q60);
     }
@@ -302,7 +300,7 @@ static void add_sandwich(const matrix_t *a, const int64_t cov[OCEL_SYM3_COUNT],
 
         times(cov, a->row_q60[i], product); /* row i of A C */
         for (uint32_t j = i; j < 3U; j++) { /* bound: 3 axes */
-            sum[AT[i][j]] += dot(product, a->row_q60[j]);
+            sum[ocel_sym3_at[i][j]] += dot(product, a->row_q60[j]);
         }
     }
 }
@@ -314,7 +312,7 @@ static void scale_up(const int64_t cov[OCEL_SYM3_COUNT], int64_t factor_q60, int
         out[k] = ocel_scale_q60(ocel_mul_q60(cov[k], factor_q60), shift);
     }
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-        out[AT[i][i]]++;
+        out[ocel_sym3_at[i][i]]++;
     }
 }
 
@@ -453,7 +451,7 @@ static void kalman_step(const int64_t cd[3], int64_t s, uint64_t size, int64_t o
 
         estimate->p_root_u[i] = (int32_t)p_u;
         for (uint32_t j = i; j < 3U; j++) { /* bound: 3 axes */
-            cov[AT[i][j]] -= ocel_mul_q60(g_q56, ocel_shl64(cd[j], 4U));
+            cov[ocel_sym3_at[i][j]] -= ocel_mul_q60(g_q56, ocel_shl64(cd[j], 4U));
         }
     }
 }

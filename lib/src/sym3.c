@@ -6,14 +6,14 @@
 
 #define LEAST_Q60 4096
 
-/* Where row i of a symmetric matrix has its entries. */
-static const uint8_t place[3][3] = {
+const uint8_t ocel_sym3_at[3][3] = {
     {OCEL_XX, OCEL_XY, OCEL_XZ}, {OCEL_XY, OCEL_YY, OCEL_YZ}, {OCEL_XZ, OCEL_YZ, OCEL_ZZ}};
 
 /* Row i of a matrix times a vector. */
 static int64_t row_times(const int64_t *m_q60, uint32_t i, const int64_t *v_q60) {
-    return ocel_mul_q60(m_q60[place[i][0]], v_q60[0]) + ocel_mul_q60(m_q60[place[i][1]], v_q60[1]) +
-           ocel_mul_q60(m_q60[place[i][2]], v_q60[2]);
+    return ocel_mul_q60(m_q60[ocel_sym3_at[i][0]], v_q60[0]) +
+           ocel_mul_q60(m_q60[ocel_sym3_at[i][1]], v_q60[1]) +
+           ocel_mul_q60(m_q60[ocel_sym3_at[i][2]], v_q60[2]);
 }
 
 /* Cofactor (i, k) is the minor of the two cyclically next rows and columns: their
@@ -25,8 +25,8 @@ static int64_t cofactor(const int64_t *m_q60, uint32_t i, uint32_t k) {
     const uint32_t k1 = next[k];
     const uint32_t k2 = next[k + 1U];
 
-    return ocel_mul_q60(m_q60[place[i1][k1]], m_q60[place[i2][k2]]) -
-           ocel_mul_q60(m_q60[place[i1][k2]], m_q60[place[i2][k1]]);
+    return ocel_mul_q60(m_q60[ocel_sym3_at[i1][k1]], m_q60[ocel_sym3_at[i2][k2]]) -
+           ocel_mul_q60(m_q60[ocel_sym3_at[i1][k2]], m_q60[ocel_sym3_at[i2][k1]]);
 }
 
 bool ocel_sym3_invert(const int64_t m_q60[OCEL_SYM3_COUNT], ocel_sym3_inverse_t *inverse) {
@@ -34,7 +34,7 @@ bool ocel_sym3_invert(const int64_t m_q60[OCEL_SYM3_COUNT], ocel_sym3_inverse_t 
 
     for (uint32_t i = 0U; i < 3U; i++) {    /* bound: 3 */
         for (uint32_t k = i; k < 3U; k++) { /* bound: 3 */
-            inverse->adjoint_q60[place[i][k]] = cofactor(m_q60, i, k);
+            inverse->adjoint_q60[ocel_sym3_at[i][k]] = cofactor(m_q60, i, k);
         }
     }
     determinant = row_times(m_q60, 0U, inverse->adjoint_q60);

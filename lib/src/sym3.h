@@ -12,6 +12,9 @@
 
 #include "scale.h"
 
+/* Where element (i, k) stands among the six. */
+extern const uint8_t ocel_sym3_at[3][3];
+
 /* A matrix's inverse: adjoint * determinant^-1. */
 typedef struct {
     int64_t adjoint_q60[OCEL_SYM3_COUNT];
