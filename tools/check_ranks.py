@@ -3,9 +3,9 @@
 """Claim: the library's files include only files of a lower rank, and besides
 their own stage only the base; so no stage includes another.
 
-lib/ranks.txt gives each module its stage and rank.  A module is a name:
-colour.c, and colour.h in src or include, are the module colour and may include
-each other.  The stage eye may include every stage.  System headers must be
+lib/ranks.txt gives each module its stage and rank, and lib/src has a folder for
+each stage.  A module is a name: colour.c, and colour.h in src or include, are
+the module colour and may include each other.  The stage eye may include every stage.  System headers must be
 among stdint.h, stdbool.h, stddef.h and string.h.  lib/sources.txt must list
 every .c file.
 """
@@ -71,9 +71,13 @@ def main():
     for path in files:
         errors += [e.replace(f"{root}/", "") for e in check_file(path, ranks, uses)]
     listed = [line for line in (lib / "sources.txt").read_text().split() if line[0] != "#"]
-    for path in sorted(lib.glob("src/*.c")):
-        if f"src/{path.name}" not in listed:
-            errors.append(f"lib/src/{path.name}: not in lib/sources.txt")
+    for path in sorted(lib.glob("src/**/*.[ch]")):
+        name = str(path.relative_to(lib))
+        stage = ranks.get(path.stem, ("base", 0))[0]
+        if path.parent.name != stage:
+            errors.append(f"lib/{name}: its stage is {stage}; move it to lib/src/{stage}/")
+        if path.suffix == ".c" and name not in listed:
+            errors.append(f"lib/{name}: not in lib/sources.txt")
     for name in listed:
         if not (lib / name).is_file():
             errors.append(f"lib/sources.txt: no file {name}")

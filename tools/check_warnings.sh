@@ -9,7 +9,7 @@ usage: tools/check_warnings.sh [SOURCE...]
 Claim: the library compiles without one warning, as pedantic C99, with gcc
 (its static analyser on) and with clang, under the default, the largest and the
 smallest limits; each public header compiles alone as C99 and as C++17.  With
-SOURCE (as lib/sources.txt lists it: src/status.c) only those, and every header.
+SOURCE (as lib/sources.txt lists it: src/base/status.c) only those, and every header.
 HELP
 }
 case "${1:-}" in -h | --help) usage && exit 0 ;; -*) usage >&2 && exit 2 ;; esac

@@ -16,10 +16,10 @@
 
 #include <ocellus/ocellus.h>
 
-#include "camera_ray.h"
+#include "base/camera_ray.h"
+#include "base/int_math.h"
+#include "base/trig.h"
 #include "frames.h"
-#include "int_math.h"
-#include "trig.h"
 
 enum {
     SEED = 7,

@@ -5,10 +5,10 @@
  */
 #include <string.h>
 
+#include "base/trig.h"
 #include "corpus.h"
 #include "rng.h"
 #include "scene.h"
-#include "trig.h"
 
 enum { ONE_PX = 65536, MAX_POINTS = 240, WIDTH = 320, HEIGHT = 240, ROW_WORDS = WIDTH / 32 };
 

@@ -5,9 +5,9 @@
  */
 #include <string.h>
 
+#include "base/trig.h"
 #include "corpus.h"
 #include "rng.h"
-#include "trig.h"
 
 enum { MAX_POINTS = 300, ONE_PX = 65536 };
 

@@ -4,12 +4,12 @@
  * hold it to references in long double and 128-bit integers; equal bits carry
  * that over to platforms that have neither.
  */
+#include "base/int_math.h"
+#include "base/q60.h"
+#include "base/trig.h"
 #include "corpus.h"
-#include "int_math.h"
-#include "perturb.h"
-#include "q60.h"
+#include "fit/perturb.h"
 #include "rng.h"
-#include "trig.h"
 
 enum { TRIALS = 4000 };
 

@@ -12,7 +12,7 @@
 #include <ocellus/label.h>
 
 #include "board.h"
-#include "crack.h"
+#include "label/crack.h"
 #include "masks.h"
 #include "unity.h"
 

@@ -9,8 +9,8 @@
 
 #include <ocellus/types.h>
 
-#include "arc.h"
 #include "board.h"
+#include "fit/arc.h"
 #include "unity.h"
 
 enum { TERMS = 5, STEPS = TEST_TRIALS_AT_LEAST(400, 20000) };

@@ -9,9 +9,9 @@
 
 #include <ocellus/camera.h>
 
+#include "base/camera_ray.h"
+#include "base/lens.h"
 #include "board.h"
-#include "camera_ray.h"
-#include "lens.h"
 #include "rng.h"
 #include "unity.h"
 

@@ -14,12 +14,12 @@
 #include <ocellus/colour.h>
 
 #include "board.h"
-#include "bounds.h"
-#include "lanes.h"
-#include "pixel.h"
+#include "colour/bounds.h"
+#include "colour/lanes.h"
+#include "colour/pixel.h"
+#include "colour/row16.h"
+#include "colour/row24.h"
 #include "rng.h"
-#include "row16.h"
-#include "row24.h"
 #include "unity.h"
 
 #define SEED 20240607U

@@ -10,11 +10,11 @@
 #include <ocellus/cone.h>
 
 #include "ball_scene.h"
+#include "base/sector.h"
+#include "base/sym3.h"
 #include "board.h"
 #include "fit_support.h"
 #include "reference/cone_reference.h"
-#include "sector.h"
-#include "sym3.h"
 #include "unity.h"
 
 enum { SEED = 20110812, TRIALS = TEST_TRIALS(400), MAX_POINTS = 4096 };

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "board.h"
-#include "crack.h"
+#include "label/crack.h"
 #include "rng.h"
 #include "unity.h"
 

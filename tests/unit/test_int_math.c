@@ -2,8 +2,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/int_math.h"
 #include "board.h"
-#include "int_math.h"
 #include "rng.h"
 #include "unity.h"
 

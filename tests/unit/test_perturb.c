@@ -6,10 +6,10 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/trig.h"
 #include "board.h"
-#include "perturb.h"
+#include "fit/perturb.h"
 #include "rng.h"
-#include "trig.h"
 #include "unity.h"
 
 enum { SEED = 20110605, RANDOM_TRIALS = TEST_TRIALS(500000) };

@@ -7,9 +7,9 @@
 #include <stdlib.h>
 
 #include "board.h"
-#include "pose.h"
 #include "rng.h"
 #include "rotations.h"
+#include "space/pose.h"
 #include "unity.h"
 
 enum { SEED = 20110612, TRIALS = TEST_TRIALS(20000) };

@@ -7,8 +7,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "base/q60.h"
 #include "board.h"
-#include "q60.h"
 #include "rng.h"
 #include "unity.h"
 

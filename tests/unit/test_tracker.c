@@ -12,8 +12,8 @@
 #include <ocellus/ocellus.h>
 
 #include "board.h"
+#include "motion/seconds.h"
 #include "rng.h"
-#include "seconds.h"
 #include "unity.h"
 
 enum { SEED = 20111124, FRAME_US = 33333 };

@@ -6,9 +6,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/trig.h"
 #include "board.h"
 #include "rng.h"
-#include "trig.h"
 #include "unity.h"
 
 enum { SEED = 20110604, RANDOM_TRIALS = TEST_TRIALS(1000000) };
