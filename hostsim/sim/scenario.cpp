@@ -5,7 +5,7 @@
 
 #include "colour_spec.hpp"
 #include "error.hpp"
-#include "toml_reader.hpp"
+#include "scenario_parts.hpp"
 
 namespace sim {
 
@@ -27,44 +27,12 @@ void read_sweep(TomlReader reader, Scenario &scenario) {
     reader.finish();
 }
 
-void read_camera(TomlReader reader, CameraChoice &camera) {
-    reader.expect_only({"preset", "size", "supersampling", "noise"});
-    constexpr int kWidths[] = {160, 320, 640};
-    constexpr int kSupersamplings[] = {1, 2, 4};
-    const std::vector<std::string> presets = preset_names();
-    const int preset = reader.choice("preset", presets);
-    const int size = reader.choice("size", {"160x120", "320x240", "640x480"});
-    const int quality = reader.choice("supersampling", {"1x1", "2x2", "4x4"});
-    camera.intrinsics = make_intrinsics(presets[static_cast<std::size_t>(preset)], kWidths[size]);
-    camera.supersampling = kSupersamplings[quality];
-    camera.noise = reader.number("noise", 0.0, 64.0, "levels of 255");
-    reader.finish();
-}
-
 Vec3 colour_of(TomlReader &reader, const char *key) {
     const std::vector<double> values = reader.numbers(key, 0.0, 255.0, "");
     if (values.size() != 3) {
         reader.reject(key, "expected three numbers: red, green and blue, 0 .. 255");
     }
     return Vec3(values[0], values[1], values[2]) * (1.0 / 255.0);
-}
-
-void read_target(TomlReader reader, TargetChoice &target) {
-    reader.expect_only({"shape", "radius", "thickness", "colour"});
-    target.shape = reader.choice("shape", {"ball", "disc"}) == 0 ? Shape::kBall : Shape::kDisc;
-    target.radius = reader.number("radius", 0.01, 2.0, "SMU");
-    target.thickness =
-        target.shape == Shape::kDisc ? reader.number("thickness", 0.0001, 1.0, "SMU") : 0.0;
-    target.colour = colour_of(reader, "colour");
-    reader.finish();
-}
-
-void read_scene(TomlReader reader, Scenario &scenario) {
-    reader.expect_only({"background", "lighting"});
-    scenario.background =
-        static_cast<Background>(reader.choice("background", {"plain", "textured", "cluttered"}));
-    scenario.lighting = static_cast<Lighting>(reader.choice("lighting", {"flat", "soft", "harsh"}));
-    reader.finish();
 }
 
 void read_gaze(TomlReader reader, Scenario &scenario) {
@@ -81,13 +49,7 @@ void read_gaze(TomlReader reader, Scenario &scenario) {
 
 void read_detector(TomlReader reader, Scenario &scenario) {
     reader.expect_only({"colour", "min_area", "methods"});
-    const std::string colour = reader.text("colour", cli::kColourGrammar);
-    try {
-        scenario.colour = cli::parse_colour(colour);
-    } catch (const cli::InputError &mistake) {
-        reader.reject("colour", mistake.what());
-    }
-    scenario.min_area = static_cast<std::uint32_t>(reader.integer("min_area", 1, 1000000, "px"));
+    read_search(reader, scenario);
     for (const int method : reader.choices("methods", method_names())) {
         scenario.methods.push_back(static_cast<Method>(method));
     }
@@ -97,7 +59,51 @@ void read_detector(TomlReader reader, Scenario &scenario) {
     reader.finish();
 }
 
-toml::table parse_file(const std::string &path) {
+} // namespace
+
+void read_camera(TomlReader reader, CameraChoice &camera) {
+    reader.expect_only({"preset", "size", "supersampling", "noise"});
+    constexpr int kWidths[] = {160, 320, 640};
+    constexpr int kSupersamplings[] = {1, 2, 4};
+    const std::vector<std::string> presets = preset_names();
+    const int preset = reader.choice("preset", presets);
+    const int size = reader.choice("size", {"160x120", "320x240", "640x480"});
+    const int quality = reader.choice("supersampling", {"1x1", "2x2", "4x4"});
+    camera.intrinsics = make_intrinsics(presets[static_cast<std::size_t>(preset)], kWidths[size]);
+    camera.supersampling = kSupersamplings[quality];
+    camera.noise = reader.number("noise", 0.0, 64.0, "levels of 255");
+    reader.finish();
+}
+
+void read_target(TomlReader reader, TargetChoice &target) {
+    reader.expect_only({"shape", "radius", "thickness", "colour"});
+    target.shape = reader.choice("shape", {"ball", "disc"}) == 0 ? Shape::kBall : Shape::kDisc;
+    target.radius = reader.number("radius", 0.01, 2.0, "SMU");
+    target.thickness =
+        target.shape == Shape::kDisc ? reader.number("thickness", 0.0001, 1.0, "SMU") : 0.0;
+    target.colour = colour_of(reader, "colour");
+    reader.finish();
+}
+
+void read_scene(TomlReader reader, Setting &setting) {
+    reader.expect_only({"background", "lighting"});
+    setting.background =
+        static_cast<Background>(reader.choice("background", {"plain", "textured", "cluttered"}));
+    setting.lighting = static_cast<Lighting>(reader.choice("lighting", {"flat", "soft", "harsh"}));
+    reader.finish();
+}
+
+void read_search(TomlReader &reader, Setting &setting) {
+    const std::string colour = reader.text("colour", cli::kColourGrammar);
+    try {
+        setting.colour = cli::parse_colour(colour);
+    } catch (const cli::InputError &mistake) {
+        reader.reject("colour", mistake.what());
+    }
+    setting.min_area = static_cast<std::uint32_t>(reader.integer("min_area", 1, 1000000, "px"));
+}
+
+toml::table parse_scenario_file(const std::string &path) {
     std::ifstream file(path);
     if (!file) {
         throw cli::InputError(path + ": cannot be read; expected a scenario file such as "
@@ -113,10 +119,8 @@ toml::table parse_file(const std::string &path) {
     }
 }
 
-} // namespace
-
 Scenario read_scenario(const std::string &path) {
-    const toml::table table = parse_file(path);
+    const toml::table table = parse_scenario_file(path);
     TomlReader reader(table, path, "");
     reader.expect_only({"name", "sweep", "camera", "target", "scene", "gaze", "detector"});
     Scenario scenario{};

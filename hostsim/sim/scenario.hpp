@@ -37,24 +37,28 @@ struct TargetChoice {
     Vec3 colour;      // 0..1
 };
 
-struct Scenario {
+// What is in view, who looks, and for what: of every kind of scenario.
+struct Setting {
     std::string name;
+    CameraChoice camera;
+    TargetChoice target;
+    Background background;
+    Lighting lighting;
+    ocel_colour_range_t colour;
+    std::uint32_t min_area; // px
+};
+
+struct Scenario : Setting {
     int trials; // at each point
     Varied varied;
     std::vector<double> points;
     double distance;  // SMU from the eyes' middle along x, where it is not varied
     double occlusion; // 0..1, where it is not varied
     double jitter;    // times the distance: the target is so far left or right, up or down
-    CameraChoice camera;
-    TargetChoice target;
-    Background background;
-    Lighting lighting;
     Gaze gaze;
     double focus;          // SMU ahead of the eyes' middle: where still eyes look
     double gaze_tolerance; // px
     int gaze_frames;       // at most
-    ocel_colour_range_t colour;
-    std::uint32_t min_area; // px
     std::vector<Method> methods;
 
     double distance_at(std::size_t point) const {

@@ -59,15 +59,15 @@ Solid make_distractor(Random &random) {
     return solid;
 }
 
-void add_background(const Scenario &scenario, Random &random, Drawing &drawing) {
-    const bool textured = scenario.background != Background::kPlain;
+void add_background(const Setting &setting, Random &random, Drawing &drawing) {
+    const bool textured = setting.background != Background::kPlain;
     drawing.solids.push_back(box(Vec3(0, 0, -0.5), Vec3(kFloorHalf, kFloorHalf, 0.5), kFloor));
     drawing.solids.back().textured = textured;
     if (textured) {
         drawing.solids.push_back(box(Vec3(kWallPlace + 0.5, 0, 5), Vec3(0.5, 20, 8), kSky));
         drawing.solids.back().textured = true;
     }
-    if (scenario.background == Background::kCluttered) {
+    if (setting.background == Background::kCluttered) {
         for (int i = 0; i < kDistractors; ++i) {
             drawing.solids.push_back(make_distractor(random));
         }
@@ -76,12 +76,12 @@ void add_background(const Scenario &scenario, Random &random, Drawing &drawing) 
 
 } // namespace
 
-Drawing make_drawing(const Scenario &scenario, const Vec3 &p_world, Random &random) {
+Drawing make_drawing(const Setting &setting, const Vec3 &p_world, Random &random) {
     Drawing drawing;
     drawing.clear_colour = kSky;
-    drawing.lighting = scenario.lighting;
-    drawing.solids.push_back(make_target(scenario.target, p_world));
-    add_background(scenario, random, drawing);
+    drawing.lighting = setting.lighting;
+    drawing.solids.push_back(make_target(setting.target, p_world));
+    add_background(setting, random, drawing);
     return drawing;
 }
 

@@ -11,7 +11,7 @@ namespace sim {
 
 // The floor, the background and the target at p_world; what clutters the
 // background is drawn from `random`.
-Drawing make_drawing(const Scenario &scenario, const Vec3 &p_world, Random &random);
+Drawing make_drawing(const Setting &setting, const Vec3 &p_world, Random &random);
 
 // A plate in front of the target, across the line of sight.  Its straight edge
 // turns by `angle` about the line; `reach`, SMU, is how far it goes past the line
