@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A picture in memory, and reading and writing one.
-#ifndef OCELLUS_CLI_IMAGE_HPP
-#define OCELLUS_CLI_IMAGE_HPP
+#ifndef OCELLUS_COMMON_IMAGE_HPP
+#define OCELLUS_COMMON_IMAGE_HPP
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A range of colours as text: `hsv:340-20,90-255,60-255`.
-#ifndef OCELLUS_CLI_COLOUR_SPEC_HPP
-#define OCELLUS_CLI_COLOUR_SPEC_HPP
+#ifndef OCELLUS_COMMON_COLOUR_SPEC_HPP
+#define OCELLUS_COMMON_COLOUR_SPEC_HPP
 
 #include <string>
 

@@ -2,8 +2,8 @@
 //
 // What goes wrong with a user's input.  The text of an error stands alone: it
 // names the file and the place, what was found, what was expected and the fix.
-#ifndef OCELLUS_CLI_ERROR_HPP
-#define OCELLUS_CLI_ERROR_HPP
+#ifndef OCELLUS_COMMON_ERROR_HPP
+#define OCELLUS_COMMON_ERROR_HPP
 
 #include <stdexcept>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A picture as a camera would deliver it: line by line, in a pixel format.
-#ifndef OCELLUS_CLI_CAMERA_LINES_HPP
-#define OCELLUS_CLI_CAMERA_LINES_HPP
+#ifndef OCELLUS_COMMON_CAMERA_LINES_HPP
+#define OCELLUS_COMMON_CAMERA_LINES_HPP
 
 #include <cstdint>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Reading a file or standard input whole.
-#ifndef OCELLUS_CLI_INPUT_HPP
-#define OCELLUS_CLI_INPUT_HPP
+#ifndef OCELLUS_COMMON_INPUT_HPP
+#define OCELLUS_COMMON_INPUT_HPP
 
 #include <cstdint>
 #include <string>
