@@ -71,6 +71,22 @@ TomlReader TomlReader::table(const std::string &key) {
     return {*value.as_table(), file_, key};
 }
 
+std::vector<TomlReader> TomlReader::tables(const std::string &key) {
+    std::vector<TomlReader> readers;
+    asked_.insert(key);
+    if (const toml::node *const value = table_.get(key)) {
+        const toml::array *const elements = value->as_array();
+        if (elements == nullptr || !elements->is_homogeneous<toml::table>()) {
+            reject_at(value->source(), key,
+                      "found " + found(*value) + "; expected tables [[" + key + "]]");
+        }
+        for (const toml::node &element : *elements) {
+            readers.push_back(TomlReader(*element.as_table(), file_, key));
+        }
+    }
+    return readers;
+}
+
 std::string TomlReader::text(const std::string &key, const char *expected) {
     const toml::node &value = node(key, expected);
     const auto text = value.value<std::string>();

@@ -18,6 +18,8 @@ class TomlReader {
     TomlReader(const toml::table &table, const std::string &file, const std::string &name);
 
     TomlReader table(const std::string &key);
+    // The tables [[key]] of which there may be any number, none included.
+    std::vector<TomlReader> tables(const std::string &key);
     std::string text(const std::string &key, const char *expected);
     double number(const std::string &key, double low, double high, const char *unit);
     int integer(const std::string &key, int low, int high, const char *unit);
