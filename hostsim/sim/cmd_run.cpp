@@ -2,20 +2,16 @@
 //
 // ocellus-sim run: one scenario, all its trials.
 #include <chrono>
-#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 
 #include "commands.hpp"
-#include "error.hpp"
 #include "results.hpp"
 #include "runner.hpp"
 
 namespace sim {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 struct RunArguments {
     std::string scenario;
@@ -42,14 +38,6 @@ machine, whatever --jobs is.
 
 Example:
   ocellus-sim run hostsim/scenarios/c_distance.toml --out build/c --jobs 2)";
-
-void make_folder(const std::string &path) {
-    std::error_code mistake;
-    fs::create_directories(path, mistake);
-    if (!fs::is_directory(path)) {
-        throw cli::InputError("--out " + path + ": cannot be made; expected a folder's name");
-    }
-}
 
 // For people: how the methods did, and how fast it went.
 void print_result(const nlohmann::ordered_json &summary) {

@@ -9,6 +9,7 @@
 namespace sim {
 
 void add_run(CLI::App &app);
+void add_track(CLI::App &app);
 
 } // namespace sim
 

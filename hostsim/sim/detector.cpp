@@ -8,17 +8,12 @@
 
 namespace sim {
 
-namespace {
-
-// The calls below are right by construction; a refusal is a mistake of ours.
 void must(ocel_status_t status, const char *what) {
     if (status != OCEL_OK) {
         throw std::logic_error(std::string(what) + ": the library says " +
                                ocel_status_name(status));
     }
 }
-
-} // namespace
 
 Detector::Detector(const Intrinsics &camera, const ocel_colour_range_t &colour,
                    std::uint32_t min_area)
@@ -36,19 +31,36 @@ Detector::Detector(const Intrinsics &camera, const ocel_colour_range_t &colour,
 }
 
 void Detector::look(const cli::Image &frame) {
+    take(frame);
+    feed();
+    for (int y = 0; y < intrinsics_.height; ++y) {
+        put_mask_row(y);
+    }
+}
+
+void Detector::take(const cli::Image &frame) {
     cli::CameraLines lines(frame, OCEL_FORMAT_RGB565);
-    must(ocel_eye_begin(eye_.get()), "ocel_eye_begin");
-    for (std::uint16_t y = 0; y < frame.height; ++y) {
+    line_bytes_ = lines.line_bytes();
+    lines_.clear();
+    for (std::size_t y = 0; y < frame.height; ++y) {
         const std::uint8_t *const line = lines.line(y);
-        must(ocel_eye_line(eye_.get(), &colour_, y, line, lines.line_bytes()), "ocel_eye_line");
-        put_mask_row(y, line, lines.line_bytes());
+        lines_.insert(lines_.end(), line, line + line_bytes_);
+    }
+}
+
+void Detector::feed() {
+    must(ocel_eye_begin(eye_.get()), "ocel_eye_begin");
+    for (int y = 0; y < intrinsics_.height; ++y) {
+        must(ocel_eye_line(eye_.get(), &colour_, static_cast<std::uint16_t>(y), line(y),
+                           line_bytes_),
+             "ocel_eye_line");
     }
     (void)ocel_eye_end(eye_.get(), &detection_); // the same as detection_.status
 }
 
-void Detector::put_mask_row(int y, const std::uint8_t *line, std::size_t line_bytes) {
+void Detector::put_mask_row(int y) {
     const auto width = static_cast<std::uint16_t>(intrinsics_.width);
-    must(ocel_colour_row(&colour_, line, line_bytes, width, row_.data()), "ocel_colour_row");
+    must(ocel_colour_row(&colour_, line(y), line_bytes_, width, row_.data()), "ocel_colour_row");
     std::uint8_t *const out = mask_.ptr<std::uint8_t>(y);
     for (unsigned x = 0; x < width; ++x) {
         out[x] = (row_[x / 32] >> (x % 32) & 1U) != 0U ? 255U : 0U;

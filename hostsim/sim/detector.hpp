@@ -17,12 +17,21 @@
 
 namespace sim {
 
+// For calls that are right by construction, so that a refusal is a mistake of ours:
+// std::logic_error unless OCEL_OK.
+void must(ocel_status_t status, const char *what);
+
 class Detector {
   public:
     Detector(const Intrinsics &camera, const ocel_colour_range_t &colour, std::uint32_t min_area);
 
     // Takes a frame of the camera's size; what the others say is of the last one.
     void look(const cli::Image &frame);
+
+    // Its two halves, for who measures the library's time: what the camera does, its
+    // lines in RGB565, and what the library does with them.  No mask is made.
+    void take(const cli::Image &frame);
+    void feed();
 
     const Intrinsics &intrinsics() const {
         return intrinsics_;
@@ -42,7 +51,10 @@ class Detector {
     }
 
   private:
-    void put_mask_row(int y, const std::uint8_t *line, std::size_t line_bytes);
+    const std::uint8_t *line(int y) const {
+        return lines_.data() + static_cast<std::size_t>(y) * line_bytes_;
+    }
+    void put_mask_row(int y);
 
     Intrinsics intrinsics_;
     ocel_camera_t camera_{};
@@ -50,6 +62,8 @@ class Detector {
     ocel_colour_table_t table_{};
     std::unique_ptr<ocel_eye_t> eye_ = std::make_unique<ocel_eye_t>();
     ocel_detection_t detection_{};
+    std::size_t line_bytes_ = 0;
+    std::vector<std::uint8_t> lines_;
     cv::Mat mask_;
     std::vector<std::uint32_t> row_;
 };

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include <ocellus/head.h>
 #include <ocellus/stereo.h>
 
 #include "frames.hpp"
+#include "library_head.hpp"
 
 namespace sim {
 
@@ -50,14 +50,9 @@ std::optional<Vec3> residual_place(const Outlines &outlines, const HeadReading &
 // The library's whole chain: encoders, head, cones, ball.
 ocel_status_t library_ball(const Outlines &outlines, const JointAngles &joints, double radius,
                            ocel_ball_t &ball) {
-    std::int32_t q32[OCEL_JOINT_COUNT] = {};
-    q32[OCEL_NECK_PITCH] = turn_q32(joints[kNeckPitch]);
-    q32[OCEL_NECK_YAW] = turn_q32(joints[kNeckYaw]);
-    q32[OCEL_EYES_TILT] = turn_q32(joints[kEyesTilt]);
-    q32[OCEL_EYES_VERSION] = turn_q32(version_of(joints));
-    q32[OCEL_EYES_VERGENCE] = turn_q32(2.0 * half_vergence_of(joints));
+    const LibraryJoints q32 = library_joints(joints);
     ocel_pose_t X_root_eye[OCEL_EYE_COUNT];
-    const ocel_status_t status = ocel_head_forward(&ocel_head_paper, q32, X_root_eye);
+    const ocel_status_t status = ocel_head_forward(&ocel_head_paper, q32.data(), X_root_eye);
     if (status != OCEL_OK) {
         return status;
     }

@@ -19,6 +19,10 @@ constexpr double radians(double degrees) {
     return degrees * (kPi / 180.0);
 }
 
+constexpr double degrees(double radians) {
+    return radians * (180.0 / kPi);
+}
+
 // p_A = r p_B + p.
 struct Pose {
     Mat3 r = Mat3::eye();

@@ -25,6 +25,7 @@ int run(int argc, char **argv) {
     app.set_version_flag("--version", std::string("ocellus-sim ") + OCEL_VERSION_STRING);
     app.require_subcommand(1);
     sim::add_run(app);
+    sim::add_track(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success &wanted) { // --help, --version

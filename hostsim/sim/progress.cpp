@@ -12,8 +12,8 @@ constexpr std::size_t kBarLength = 40;
 
 } // namespace
 
-Progress::Progress(const std::string &what, std::size_t total)
-    : what_(what), total_(total), terminal_(::isatty(STDERR_FILENO) == 1) {
+Progress::Progress(const std::string &what, std::size_t total, const std::string &unit)
+    : what_(what), total_(total), unit_(unit), terminal_(::isatty(STDERR_FILENO) == 1) {
 }
 
 void Progress::advance() {
@@ -33,8 +33,8 @@ void Progress::draw_bar() const {
 }
 
 void Progress::print_line() const {
-    std::fprintf(stderr, "%s: %zu %% (%zu of %zu trials)\n", what_.c_str(), done_ * 100 / total_,
-                 done_, total_);
+    std::fprintf(stderr, "%s: %zu %% (%zu of %zu %s)\n", what_.c_str(), done_ * 100 / total_, done_,
+                 total_, unit_.c_str());
 }
 
 } // namespace sim

@@ -10,7 +10,8 @@ namespace sim {
 
 class Progress {
   public:
-    Progress(const std::string &what, std::size_t total);
+    // `unit`: what is counted, in the plural.
+    Progress(const std::string &what, std::size_t total, const std::string &unit = "trials");
     void advance();
 
   private:
@@ -19,6 +20,7 @@ class Progress {
 
     std::string what_;
     std::size_t total_;
+    std::string unit_;
     std::size_t done_ = 0;
     bool terminal_;
 };

@@ -19,6 +19,9 @@ std::string csv_of(const Scenario &scenario, std::uint64_t seed,
 nlohmann::ordered_json summary_of(const Scenario &scenario, std::uint64_t seed,
                                   const std::vector<TrialRecord> &records);
 
+// Makes the folder of --out, unless it is there.  cli::InputError when it cannot be.
+void make_folder(const std::string &path);
+
 // cli::InputError when it cannot be written.
 void write_text(const std::string &path, const std::string &text);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <fmt/format.h>
+#include <filesystem>
 #include <fstream>
 
 #include "error.hpp"
 #include "results.hpp"
+#include "statistics.hpp"
 
 namespace sim {
 
@@ -15,11 +15,6 @@ constexpr const char *kHeader =
     "scenario,point,trial,seed,method,distance,occlusion,status,true_x,true_y,true_z,est_x,est_y,"
     "est_z,err,true_radius,est_radius,radius_err_pct,success,err_encoder,err_residual,err_debiased,"
     "radius_true_depth,radius_true_depth_err_pct,centre_err_px,votes,frames\n";
-
-// Ten digits: more than any method is good for, few enough for the reader.
-std::string field(double value) {
-    return std::isnan(value) ? "," : fmt::format(",{:.10g}", value);
-}
 
 std::string place(const double p[3]) {
     return field(p[0]) + field(p[1]) + field(p[2]);
@@ -53,6 +48,14 @@ std::string csv_of(const Scenario &scenario, std::uint64_t seed,
         }
     }
     return text;
+}
+
+void make_folder(const std::string &path) {
+    std::error_code mistake;
+    std::filesystem::create_directories(path, mistake);
+    if (!std::filesystem::is_directory(path)) {
+        throw cli::InputError("--out " + path + ": cannot be made; expected a folder's name");
+    }
 }
 
 void write_text(const std::string &path, const std::string &text) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <fmt/format.h>
-
 #include "results.hpp"
+#include "statistics.hpp"
 
 namespace sim {
 
@@ -11,38 +9,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 using Member = double MethodRecord::*;
-
-// Of the values that exist.
-struct Statistics {
-    int count = 0;
-    double sum = 0.0;
-    double sum_sq = 0.0;
-    double largest = 0.0; // of the magnitudes
-
-    void add(double value) {
-        if (!std::isnan(value)) {
-            ++count;
-            sum += value;
-            sum_sq += value * value;
-            largest = std::max(largest, std::fabs(value));
-        }
-    }
-    double mean() const {
-        return sum / count;
-    }
-    double rms() const {
-        return std::sqrt(sum_sq / count);
-    }
-    double deviation() const {
-        const double excess = sum_sq - sum * sum / count;
-        return count > 1 ? std::sqrt(std::max(excess, 0.0) / (count - 1)) : 0.0;
-    }
-};
-
-// A float's worth of digits; the rest is noise in a summary.
-double rounded(double value) {
-    return value == 0.0 ? 0.0 : std::stod(fmt::format("{:.6g}", value));
-}
 
 Json json_of(const Statistics &statistics) {
     return {{"mean", rounded(statistics.mean())},

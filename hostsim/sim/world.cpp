@@ -56,6 +56,16 @@ void World::advance(int steps) {
     }
 }
 
+void World::hold_ball() {
+    ball_->setGravity(btVector3(0, 0, 0));
+    ball_->setLinearVelocity(btVector3(0, 0, 0));
+}
+
+void World::release_ball(const Vec3 &v_world) {
+    ball_->setGravity(world_.getGravity());
+    ball_->setLinearVelocity(bullet_vector(v_world));
+}
+
 Vec3 World::ball_place() const {
     return world_vector(ball_->getWorldTransform().getOrigin());
 }

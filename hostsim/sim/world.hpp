@@ -36,6 +36,10 @@ class World {
     }
     Vec3 ball_place() const;
 
+    // Holds the ball against gravity; lets it go with that velocity, SMU/s.
+    void hold_ball();
+    void release_ball(const Vec3 &v_world);
+
   private:
     void add_body(btRigidBody &body, double bounce);
 

@@ -22,8 +22,9 @@ WRONG = (
 class Program(SimTest):
     def test_help_names_what_there_is(self):
         text = self.run_program("--help").stdout
-        self.assertIn("run", text)
-        for missing in ("paper", "track", "merge"):
+        for command in ("run", "track"):
+            self.assertIn(command, text)
+        for missing in ("paper", "merge"):
             self.assertNotIn(missing + " ", text.replace("paper's", ""))
         self.assertIn("trials.csv", self.run_program("run", "--help").stdout)
         self.assertIn("ocellus-sim", self.run_program("--version").stdout)

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// The closed loop as it goes: world, cameras and the pilot, frame by frame.
+#ifndef OCELLUS_SIM_TRACK_LOOP_HPP
+#define OCELLUS_SIM_TRACK_LOOP_HPP
+
+#include "renderer.hpp"
+#include "track_pilot.hpp"
+#include "track_truth.hpp"
+#include "world.hpp"
+
+namespace sim {
+
+// The joints with which the head looks at a place: as far as it can with the neck,
+// the rest with the eyes, which converge there.
+JointAngles looking_at(Head &head, const Vec3 &p_world);
+
+class TrackLoop {
+  public:
+    TrackLoop(const TrackScenario &scenario, std::uint64_t seed);
+
+    // How many pairs of frames its time has.
+    int frame_count() const;
+
+    // The next pair of frames and what follows from it, until the one after.
+    TrackFrame step();
+
+    // Of the last step.
+    const std::array<cli::Image, kSides> &images() const {
+        return images_;
+    }
+    const Sighting &sighting() const {
+        return sighting_;
+    }
+    const std::array<Pose, kSides> &X_world_cam() const {
+        return X_world_cam_;
+    }
+
+    TrackTimes times() const {
+        return {loop_seconds_, pilot_.library_seconds()};
+    }
+
+  private:
+    void expose();
+    std::int64_t time_us() const {
+        return step_ * std::int64_t{1000};
+    }
+    void advance_to(int step);
+    void turn(const JointAngles &speeds);
+    TrackFrame true_frame();
+    void react(TrackFrame &frame);
+
+    const TrackScenario &scenario_;
+    std::uint64_t seed_;
+    Vec3 v_start_;
+    World world_;
+    Renderer renderer_;
+    Pilot pilot_;
+    TrackJudge judge_;
+    Drawing drawing_;
+    std::array<cli::Image, kSides> images_;
+    std::array<Pose, kSides> X_world_cam_;
+    Sighting sighting_{};
+    int frame_ = 0;
+    int step_ = 0; // of the physics, 1 ms
+    double loop_seconds_ = 0.0;
+};
+
+} // namespace sim
+
+#endif
