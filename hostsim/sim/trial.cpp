@@ -147,6 +147,7 @@ class Run {
         }
         if (pictures != nullptr) {
             pictures->frames = frame_;
+            pictures->truth = now;
         }
     }
 

@@ -13,6 +13,7 @@
 #include "renderer.hpp"
 #include "scenario.hpp"
 #include "stage.hpp"
+#include "trial_judge.hpp"
 #include "trial_record.hpp"
 #include "trial_seeds.hpp"
 
@@ -22,6 +23,7 @@ namespace sim {
 struct TrialPictures {
     std::array<cli::Image, kSides> frames;
     std::vector<Outlines> outlines; // one a method
+    Truth truth;                    // at the moment of the frames
 };
 
 // What is made once in a process: the cameras and the detectors.

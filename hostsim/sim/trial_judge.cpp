@@ -11,11 +11,6 @@ double norm_or_none(const std::optional<Vec3> &p, const Vec3 &p_true) {
     return p ? cv::norm(*p - p_true) : kNone;
 }
 
-double mean_radius(const Ellipse &ellipse) {
-    const EllipseAxes axes = axes_of(ellipse);
-    return std::sqrt(axes.a * axes.b);
-}
-
 void judge_place(const Estimate &found, const Scenario &scenario, const Truth &truth,
                  MethodRecord &record) {
     const Vec3 p = found.p_world.value_or(Vec3(kNone, kNone, kNone));
@@ -33,21 +28,22 @@ void judge_place(const Estimate &found, const Scenario &scenario, const Truth &t
     }
 }
 
-// One eye's against the true outline, which for a disc is taken to be its ball's.
-// False when one of them does not exist.
-bool judge_outline(const Outline &outline, const Vec3 &p_cam, const Scenario &scenario,
+Vec3 target_in_eye(const Truth &truth, Side side) {
+    return inverse(truth.head.X_world_cam[side]) * truth.p_world;
+}
+
+// One eye's against the true outline.  False when one of them does not exist.
+bool judge_outline(const Outline &outline, const Scenario &scenario, const Truth &truth, Side side,
                    MethodRecord &record) {
-    const Intrinsics &camera = scenario.camera.intrinsics;
-    const auto truth = outline_of_sphere(camera_matrix(camera), p_cam, scenario.target.radius);
-    if (!outline.found || !truth) {
+    const auto expected = true_outline(scenario, truth, side);
+    if (!outline.found || !expected) {
         return false;
     }
-    const double off = cv::norm(outline.ellipse.centre - truth->centre);
-    const double true_px = mean_radius(*truth);
+    const double off = cv::norm(outline.ellipse.centre - expected->centre);
     record.centre_error_px = std::max(record.centre_error_px, off);
-    record.success = record.success && off <= 0.25 * true_px &&
-                     std::fabs(mean_radius(outline.ellipse) - true_px) <= 0.2 * true_px;
-    record.radius_true_depth += radius_at(outline, camera, p_cam) / kSides;
+    record.success = record.success && is_success(outline.ellipse, *expected);
+    record.radius_true_depth +=
+        radius_at(outline, scenario.camera.intrinsics, target_in_eye(truth, side)) / kSides;
     return true;
 }
 
@@ -56,8 +52,7 @@ void judge_outlines(const Outlines &outlines, const Scenario &scenario, const Tr
     bool both = true;
     record.success = true;
     for (const Side side : {kLeft, kRight}) {
-        const Vec3 p_cam = inverse(truth.head.X_world_cam[side]) * truth.p_world;
-        both = judge_outline(outlines[side], p_cam, scenario, record) && both;
+        both = judge_outline(outlines[side], scenario, truth, side, record) && both;
     }
     if (!both) {
         record.success = false;
@@ -66,6 +61,22 @@ void judge_outlines(const Outlines &outlines, const Scenario &scenario, const Tr
 }
 
 } // namespace
+
+std::optional<Ellipse> true_outline(const Scenario &scenario, const Truth &truth, Side side) {
+    return outline_of_sphere(camera_matrix(scenario.camera.intrinsics), target_in_eye(truth, side),
+                             scenario.target.radius);
+}
+
+double mean_radius(const Ellipse &ellipse) {
+    const EllipseAxes axes = axes_of(ellipse);
+    return std::sqrt(axes.a * axes.b);
+}
+
+bool is_success(const Ellipse &found, const Ellipse &truth) {
+    const double true_px = mean_radius(truth);
+    return cv::norm(found.centre - truth.centre) <= 0.25 * true_px &&
+           std::fabs(mean_radius(found) - true_px) <= 0.2 * true_px;
+}
 
 MethodRecord judged(Method method, const Outlines &outlines, const Scenario &scenario,
                     const Truth &truth) {

@@ -17,6 +17,16 @@ struct Truth {
     HeadReading head;
 };
 
+// The target's outline as an eye sees it, which for a disc is taken to be its ball's;
+// nothing when it is not all in front.
+std::optional<Ellipse> true_outline(const Scenario &scenario, const Truth &truth, Side side);
+
+// Centre within .25 r of the truth's, radius within 20 %.
+bool is_success(const Ellipse &found, const Ellipse &truth);
+
+// Of the circle of the same area, px.
+double mean_radius(const Ellipse &ellipse);
+
 MethodRecord judged(Method method, const Outlines &outlines, const Scenario &scenario,
                     const Truth &truth);
 
