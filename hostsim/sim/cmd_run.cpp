@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "error.hpp"
 #include "scenario_run.hpp"
 
 namespace sim {
@@ -28,6 +29,11 @@ constexpr const char *kFooter =
                 of the truth. votes: the highest Hough threshold that finds one.
   summary.json  means and deviations for each method, in all and at each point
   pictures/     the first trial of each point: both eyes' frames and outlines
+--record DIR writes there, for a replay on another machine (tests/firmware):
+  manifest.txt, frames.rgb565, pairs.csv, answers.csv   each pair of frames that
+                the library's eyes were fed, in the camera's lines, the joints,
+                and every member of what the library answered; recording.hpp
+                tells the layout
 The same scenario, seed and number of trials give the same files on the same
 machine, whatever --jobs is.
 
@@ -35,6 +41,9 @@ Example:
   ocellus-sim run hostsim/scenarios/c_distance.toml --out build/c --jobs 2)";
 
 void run(const RunArguments &arguments) {
+    if (!arguments.sweep.record_dir.empty() && arguments.sweep.jobs != 1) {
+        throw cli::InputError("--record: its files take the frames in order; expected --jobs 1");
+    }
     run_scenario(read_scenario(arguments.scenario), arguments.sweep, arguments.out);
 }
 
@@ -49,6 +58,10 @@ void add_run(CLI::App &app) {
         ->type_name("DIR")
         ->required();
     add_sweep_options(*command, arguments->sweep);
+    command
+        ->add_option("--record", arguments->sweep.record_dir,
+                     "the folder for a recording of all frames and the library's answers")
+        ->type_name("DIR");
     command->callback([arguments] { run(*arguments); });
 }
 

@@ -19,8 +19,9 @@ std::string csv_of(const Scenario &scenario, std::uint64_t seed,
 nlohmann::ordered_json summary_of(const Scenario &scenario, std::uint64_t seed,
                                   const std::vector<TrialRecord> &records);
 
-// Makes the folder of --out, unless it is there.  cli::InputError when it cannot be.
-void make_folder(const std::string &path);
+// Makes the folder that an option names, unless it is there.  cli::InputError when it
+// cannot be.
+void make_folder(const std::string &path, const char *option = "--out");
 
 // cli::InputError when it cannot be written.
 void write_text(const std::string &path, const std::string &text);

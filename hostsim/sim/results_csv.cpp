@@ -50,11 +50,12 @@ std::string csv_of(const Scenario &scenario, std::uint64_t seed,
     return text;
 }
 
-void make_folder(const std::string &path) {
+void make_folder(const std::string &path, const char *option) {
     std::error_code mistake;
     std::filesystem::create_directories(path, mistake);
     if (!std::filesystem::is_directory(path)) {
-        throw cli::InputError("--out " + path + ": cannot be made; expected a folder's name");
+        throw cli::InputError(std::string(option) + " " + path +
+                              ": cannot be made; expected a folder's name");
     }
 }
 

@@ -10,6 +10,7 @@
 #include <climits>
 #include <cstdio>
 #include <fmt/format.h>
+#include <optional>
 #include <stdexcept>
 #include <sys/wait.h>
 #include <type_traits>
@@ -55,7 +56,11 @@ void send(int pipe, const TrialRecord &record) {
 // The life of a child process; its exit code.
 int work(const Scenario &scenario, const RunOptions &options, int job, int pipe) {
     try {
-        Studio studio(scenario);
+        std::optional<Recording> recording;
+        if (!options.record_dir.empty()) {
+            recording.emplace(options.record_dir, scenario);
+        }
+        Studio studio(scenario, recording ? &*recording : nullptr);
         const std::size_t total = total_trials(scenario, options);
         for (std::size_t i = static_cast<std::size_t>(job); i < total;
              i += static_cast<std::size_t>(options.jobs)) {

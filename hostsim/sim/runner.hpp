@@ -16,6 +16,7 @@ struct RunOptions {
     std::uint64_t seed = 1;
     int jobs = 1;            // processes
     std::string picture_dir; // the first trial of each point is drawn here; "": none is
+    std::string record_dir;  // all frames go here, and jobs is 1; "": none do
 };
 
 // Sorted by point and trial; the same whatever `jobs` is.  std::runtime_error when

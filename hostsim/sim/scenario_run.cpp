@@ -47,6 +47,7 @@ RunOptions options_of(const Scenario &scenario, const SweepChoice &choice, const
     options.seed = choice.seed;
     options.jobs = choice.jobs;
     options.picture_dir = out + "/pictures";
+    options.record_dir = choice.record_dir;
     return options;
 }
 
@@ -54,6 +55,9 @@ RunOptions options_of(const Scenario &scenario, const SweepChoice &choice, const
 
 void run_scenario(const Scenario &scenario, const SweepChoice &choice, const std::string &out) {
     make_folder(out + "/pictures");
+    if (!choice.record_dir.empty()) {
+        make_folder(choice.record_dir, "--record");
+    }
     const auto begin = std::chrono::steady_clock::now();
     const std::vector<TrialRecord> records =
         run_trials(scenario, options_of(scenario, choice, out));

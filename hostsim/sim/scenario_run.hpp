@@ -16,6 +16,7 @@ struct SweepChoice {
     int trials = 0; // at each point; 0: as the scenario says
     std::uint64_t seed = 1;
     int jobs = 1;
+    std::string record_dir; // as RunOptions'; only `run` offers it
 
     int trials_of(const Scenario &scenario) const {
         return trials > 0 ? trials : scenario.trials;

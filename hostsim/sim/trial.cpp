@@ -29,9 +29,10 @@ BallBody held_ball(const TargetChoice &target, const Vec3 &p_world) {
 class Run {
   public:
     Run(const Scenario &scenario, const TrialKey &key, Renderer &renderer,
-        const std::array<std::unique_ptr<Detector>, kSides> &detectors)
+        const std::array<std::unique_ptr<Detector>, kSides> &detectors, Recording *recording)
         : scenario_(scenario), key_(key), renderer_(renderer), detectors_(detectors),
-          p_true_(placement(scenario, key)), world_(held_ball(scenario.target, p_true_)) {
+          recording_(recording), p_true_(placement(scenario, key)),
+          world_(held_ball(scenario.target, p_true_)) {
         Random clutter(seed_of(scenario, key, kClutter));
         drawing_ = make_drawing(scenario, p_true_, clutter);
     }
@@ -75,6 +76,9 @@ class Run {
                               mixed_seed(kNoise, static_cast<unsigned>(frames_ * 2 + side))),
                       frame);
             detectors_[side]->look(frame);
+        }
+        if (recording_ != nullptr) {
+            recording_->add({key_, frames_, frame_, detectors_, world_.head().angles()});
         }
         ++frames_;
     }
@@ -155,6 +159,7 @@ class Run {
     const TrialKey &key_;
     Renderer &renderer_;
     const std::array<std::unique_ptr<Detector>, kSides> &detectors_;
+    Recording *recording_; // null: none
     Vec3 p_true_;
     World world_;
     Drawing drawing_;
@@ -164,8 +169,9 @@ class Run {
 
 } // namespace
 
-Studio::Studio(const Scenario &scenario)
-    : scenario_(scenario), renderer_(scenario.camera.intrinsics, scenario.camera.supersampling) {
+Studio::Studio(const Scenario &scenario, Recording *recording)
+    : scenario_(scenario), renderer_(scenario.camera.intrinsics, scenario.camera.supersampling),
+      recording_(recording) {
     for (auto &detector : detectors_) {
         detector = std::make_unique<Detector>(scenario.camera.intrinsics, scenario.colour,
                                               scenario.min_area);
@@ -173,7 +179,7 @@ Studio::Studio(const Scenario &scenario)
 }
 
 TrialRecord Studio::run(const TrialKey &key, TrialPictures *pictures) {
-    return Run(scenario_, key, renderer_, detectors_).record(pictures);
+    return Run(scenario_, key, renderer_, detectors_, recording_).record(pictures);
 }
 
 } // namespace sim

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "estimate.hpp"
+#include "recording.hpp"
 #include "renderer.hpp"
 #include "scenario.hpp"
 #include "stage.hpp"
@@ -29,7 +30,8 @@ struct TrialPictures {
 // What is made once in a process: the cameras and the detectors.
 class Studio {
   public:
-    explicit Studio(const Scenario &scenario);
+    // recording: null when none is wanted.
+    Studio(const Scenario &scenario, Recording *recording);
 
     // pictures: null when they are not wanted.
     TrialRecord run(const TrialKey &key, TrialPictures *pictures);
@@ -37,6 +39,7 @@ class Studio {
   private:
     const Scenario &scenario_;
     Renderer renderer_;
+    Recording *recording_;
     std::array<std::unique_ptr<Detector>, kSides> detectors_;
 };
 
