@@ -10,23 +10,58 @@ using Json = nlohmann::ordered_json;
 
 using Member = double MethodRecord::*;
 
-Json json_of(const Statistics &statistics) {
-    return {{"mean", rounded(statistics.mean())},
-            {"sd", rounded(statistics.deviation())},
-            {"rms", rounded(statistics.rms())},
-            {"max", rounded(statistics.largest)}};
-}
+// Statistics, and between which values the middle eight tenths lie.
+class Samples {
+  public:
+    void add(double value) {
+        statistics_.add(value);
+        if (!std::isnan(value)) {
+            values_.push_back(value);
+        }
+    }
+    bool empty() const {
+        return values_.empty();
+    }
+    double mean() const {
+        return empty() ? std::nan("") : statistics_.mean();
+    }
+    double mean_sq() const {
+        return statistics_.sum_sq / statistics_.count;
+    }
+
+    Json json() const {
+        std::vector<double> sorted = values_;
+        std::sort(sorted.begin(), sorted.end());
+        return {{"mean", rounded(statistics_.mean())},   {"sd", rounded(statistics_.deviation())},
+                {"rms", rounded(statistics_.rms())},     {"max", rounded(statistics_.largest)},
+                {"p10", rounded(quantile(sorted, 0.1))}, {"p90", rounded(quantile(sorted, 0.9))}};
+    }
+
+  private:
+    // Between the two samples that it falls between, in proportion.
+    static double quantile(const std::vector<double> &sorted, double share) {
+        const double place = share * static_cast<double>(sorted.size() - 1);
+        const auto below = static_cast<std::size_t>(place);
+        const std::size_t above = std::min(below + 1, sorted.size() - 1);
+        return sorted[below] +
+               (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+    }
+
+    Statistics statistics_;
+    std::vector<double> values_;
+};
 
 // One method at one point, or over all of them.
 class Group {
   public:
-    void add(const MethodRecord &record) {
+    void add(const TrialRecord &trial, const MethodRecord &record) {
         ++trials_;
         ok_ += record.status == OCEL_OK ? 1 : 0;
         success_ += record.success ? 1 : 0;
         for (std::size_t i = 0; i < std::size(kMembers); ++i) {
-            statistics_[i].add(record.*kMembers[i].member);
+            samples_[i].add(record.*kMembers[i].member);
         }
+        error_x_.add(record.p_world[0] - trial.p_true[0]);
         if (record.votes > 0) {
             least_votes_ = least_votes_ == 0 ? record.votes : std::min(least_votes_, record.votes);
         }
@@ -35,13 +70,14 @@ class Group {
     Json json() const {
         Json object{{"trials", trials_}, {"ok", ok_}, {"success", success_}};
         for (std::size_t i = 0; i < std::size(kMembers); ++i) {
-            if (statistics_[i].count > 0) {
-                object[kMembers[i].name] = json_of(statistics_[i]);
+            if (!samples_[i].empty()) {
+                object[kMembers[i].name] = samples_[i].json();
             }
         }
-        if (statistics_[0].count > 0) {
+        if (!error_x_.empty()) {
+            object["err_x"] = error_x_.json();
             // What the paper's figures seem to show.
-            object["err_sq_pct"] = rounded(100.0 * statistics_[0].sum_sq / statistics_[0].count);
+            object["err_sq_pct"] = rounded(100.0 * samples_[0].mean_sq());
         }
         if (least_votes_ > 0) {
             object["least_votes"] = least_votes_;
@@ -49,8 +85,13 @@ class Group {
         return object;
     }
 
-    double mean_error() const {
-        return statistics_[0].count > 0 ? statistics_[0].mean() : std::nan("");
+    double mean_of(Member member) const {
+        for (std::size_t i = 0; i < std::size(kMembers); ++i) {
+            if (kMembers[i].member == member) {
+                return samples_[i].mean();
+            }
+        }
+        return std::nan("");
     }
 
   private:
@@ -71,30 +112,52 @@ class Group {
     int ok_ = 0;
     int success_ = 0;
     int least_votes_ = 0;
-    Statistics statistics_[std::size(kMembers)];
+    Samples samples_[std::size(kMembers)];
+    Samples error_x_;
 };
 
-// The paper's trend line, log(err) = a + b x, by least squares over the points.
-Json trend_of(const Scenario &scenario, const std::vector<Group> &points) {
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const double error = points[i].mean_error();
-        if (error > 0.0) {
-            const double x = scenario.points[i];
-            const double y = std::log(error);
+// y = a + b x by least squares, and the share r2 of y's variance that it explains;
+// points that have no y are left out.  Null when there are too few.
+Json line_through(const std::vector<double> &x, const std::vector<double> &y) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (std::isfinite(y[i])) {
             n += 1;
-            sx += x;
-            sy += y;
-            sxx += x * x;
-            sxy += x * y;
+            sx += x[i];
+            sy += y[i];
+            sxx += x[i] * x[i];
+            sxy += x[i] * y[i];
+            syy += y[i] * y[i];
         }
     }
     const double spread = n * sxx - sx * sx;
-    if (!(spread > 0.0)) {
+    const double spread_y = n * syy - sy * sy;
+    if (!(spread > 0.0) || !(spread_y > 0.0)) {
         return nullptr;
     }
-    const double b = (n * sxy - sx * sy) / spread;
-    return {{"a", rounded((sy - b * sx) / n)}, {"b", rounded(b)}};
+    const double covariance = n * sxy - sx * sy;
+    const double b = covariance / spread;
+    return {{"a", rounded((sy - b * sx) / n)},
+            {"b", rounded(b)},
+            {"r2", rounded(covariance * b / spread_y)}};
+}
+
+// The paper's trend lines: exponential in the position's error, log(err) = a + b x ...
+Json error_trend(const Scenario &scenario, const std::vector<Group> &points) {
+    std::vector<double> logs;
+    for (const Group &point : points) {
+        logs.push_back(std::log(point.mean_of(&MethodRecord::error)));
+    }
+    return line_through(scenario.points, logs);
+}
+
+// ... and straight in the radius's.
+Json radius_trend(const Scenario &scenario, const std::vector<Group> &points) {
+    std::vector<double> means;
+    for (const Group &point : points) {
+        means.push_back(point.mean_of(&MethodRecord::radius_true_depth_error_pct));
+    }
+    return line_through(scenario.points, means);
 }
 
 Json method_json(const Scenario &scenario, std::size_t index,
@@ -102,10 +165,12 @@ Json method_json(const Scenario &scenario, std::size_t index,
     Group all;
     std::vector<Group> points(scenario.points.size());
     for (const TrialRecord &record : records) {
-        all.add(record.methods[index]);
-        points[record.point].add(record.methods[index]);
+        all.add(record, record.methods[index]);
+        points[record.point].add(record, record.methods[index]);
     }
-    Json object{{"all", all.json()}, {"trend_log_err", trend_of(scenario, points)}};
+    Json object{{"all", all.json()},
+                {"trend_log_err", error_trend(scenario, points)},
+                {"trend_radius_pct", radius_trend(scenario, points)}};
     object["points"] = Json::array();
     for (std::size_t i = 0; i < points.size(); ++i) {
         Json point = points[i].json();
@@ -113,6 +178,23 @@ Json method_json(const Scenario &scenario, std::size_t index,
         object["points"].push_back(point);
     }
     return object;
+}
+
+// What a reader of the figures must know of how they were made.
+Json setting_json(const Scenario &scenario) {
+    const Intrinsics &camera = scenario.camera.intrinsics;
+    return {{"target", scenario.target.shape == Shape::kBall ? "ball" : "disc"},
+            {"radius", scenario.target.radius},
+            {"jitter", scenario.jitter},
+            {"fixated", scenario.gaze == Gaze::kFixate},
+            {"focus", scenario.gaze == Gaze::kStill ? Json(scenario.focus) : Json(nullptr)},
+            {"distance",
+             scenario.varied == Varied::kDistance ? Json(nullptr) : Json(scenario.distance)},
+            {"fx", rounded(camera.fx)},
+            {"fy", rounded(camera.fy)},
+            {"width", camera.width},
+            {"height", camera.height},
+            {"supersampling", scenario.camera.supersampling}};
 }
 
 } // namespace
@@ -123,7 +205,8 @@ Json summary_of(const Scenario &scenario, std::uint64_t seed,
                  {"seed", seed},
                  {"trials", records.size()},
                  {"varied", scenario.varied == Varied::kDistance ? "distance" : "occlusion"},
-                 {"points", scenario.points}};
+                 {"points", scenario.points},
+                 {"setting", setting_json(scenario)}};
     summary["methods"] = Json::object();
     for (std::size_t i = 0; i < scenario.methods.size(); ++i) {
         summary["methods"][method_name(scenario.methods[i])] = method_json(scenario, i, records);
