@@ -80,7 +80,7 @@ static inline uint32_t look_on(const glance_t *first, const uint8_t *line, uint3
     const uint8_t *group = line;
     uint32_t left = pairs;
 
-    while (left > 0U) { /* bound: OCEL_MAX_WIDTH / (2 OCEL_GROUP) */
+    while (left > 0U) { /* bound: OCEL_MAX_WIDTH / (2 * OCEL_GROUP) */
         if (glance_pair(first, group) != 0U) {
             break;
         }

@@ -253,7 +253,7 @@ static arc_t shortest_arc(const uint32_t *weights) {
     arc_t window = {0U, 0U};
     uint32_t held = 0U;
 
-    while (window.first < BINS) { /* bound: 3 BINS steps, of first or of the end */
+    while (window.first < BINS) { /* bound: 3 * BINS steps, of first or of the end */
         if (held < enough) {
             held += weights[(window.first + window.length) % BINS];
             window.length++;

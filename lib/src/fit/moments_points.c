@@ -50,7 +50,7 @@ static span_t span_of_source(const ocel_source_t *source) {
     span_t span = {first.x, first.x, first.y, first.y};
     size_t i;
 
-    for (i = 1U; i < source->count; i++) { /* bound: count <= OCEL_MAX_FIT_POINTS */
+    for (i = 1U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
         const ocel_pair_t p = ocel_source_px_q16(source, i);
 
         span.min_x = (p.x < span.min_x) ? p.x : span.min_x;
@@ -81,7 +81,7 @@ static int64_t shear_q20(const ocel_source_t *source, const normal_t *normal) {
     int64_t shear = 0;
     size_t i;
 
-    for (i = 0U; i < source->count; i++) { /* bound: count <= OCEL_MAX_FIT_POINTS */
+    for (i = 0U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
         const ocel_pair_t p = sheared_point(source, normal, i);
         const int64_t x = ocel_asr64(p.x, UNIT_BITS - COARSE_BITS);
 
@@ -104,7 +104,7 @@ static void fill_unit(const ocel_source_t *source, normal_t *normal) {
     uint32_t half_log2;
     size_t i;
 
-    for (i = 0U; i < source->count; i++) { /* bound: count <= OCEL_MAX_FIT_POINTS */
+    for (i = 0U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
         const int64_t y = sheared_point(source, normal, i).y;
 
         low = (y < low) ? y : low;
@@ -164,7 +164,7 @@ static void sum_source(const ocel_source_t *source, const normal_t *normal, int6
     size_t i;
 
     (void)memset(m_q60, 0, sizeof(int64_t) * (size_t)OCEL_M_COUNT);
-    for (i = 0U; i < source->count; i++) { /* bound: count <= OCEL_MAX_FIT_POINTS */
+    for (i = 0U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
         int64_t v[OCEL_M_XXX];
         uint32_t k;
 

@@ -31,10 +31,10 @@ static int64_t square_q6(int32_t v) {
  * gains its own multiple of `from`: first the rows, then the columns. */
 static void mix(int64_t block[BLOCK], uint32_t to, uint32_t from, int64_t row_q47,
                 int64_t column_q47) {
-    for (uint32_t k = 0U; k < 2U; k++) { /* bound: position, velocity */
+    for (uint32_t k = 0U; k < 2U; k++) { /* bound: 2, position and velocity */
         ocel_add_product(&block[(2U * to) + k], block[(2U * from) + k], row_q47);
     }
-    for (uint32_t k = 0U; k < 4U; k += 2U) { /* bound: position, velocity */
+    for (uint32_t k = 0U; k < 4U; k += 2U) { /* bound: 2, position and velocity */
         ocel_add_product(&block[k + to], block[k + from], column_q47);
     }
 }

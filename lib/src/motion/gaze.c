@@ -64,7 +64,7 @@ static ocel_status_t check_config(const ocel_gaze_t *gaze) {
         (gaze->max_pan_q32 < (config->max_vergence_q32 / 2))) {
         status = OCEL_OUT_OF_RANGE;
     }
-    for (uint32_t i = 0U; i < (uint32_t)OCEL_JOINT_COUNT; i++) { /* bound: joints */
+    for (uint32_t i = 0U; i < (uint32_t)OCEL_JOINT_COUNT; i++) { /* bound: OCEL_JOINT_COUNT */
         if (status == OCEL_OK) {
             status = check_joint(gaze, i);
         }
@@ -169,7 +169,7 @@ static int64_t drive(ocel_gaze_t *gaze, const moment_t *moment, uint32_t joint, 
 
     v += ocel_clamp64(wanted - v, ocel_times(a_q24 * 256, moment->dt_q47, -47));
     v = ocel_clamp64(v, config->max_speed_q32[joint]);
-    for (uint32_t side = 0U; side < 2U; side++) { /* bound: both limits, v turned over for one */
+    for (uint32_t side = 0U; side < 2U; side++) { /* bound: 2 limits, v turned over for one */
         const int64_t reach = reach_q32(room[side], a_q24, change, config->command_us);
 
         v = -((v < reach) ? v : reach);

@@ -46,7 +46,7 @@ static uint32_t spread_u(const ocel_track_t *track) {
 static void include(extent_t *extent, const ocel_point_t *pixel) {
     const int32_t at[2] = {pixel->x_px_q16, pixel->y_px_q16};
 
-    for (uint32_t k = 0U; k < 2U; k++) { /* bound: x, y */
+    for (uint32_t k = 0U; k < 2U; k++) { /* bound: 2, x and y */
         extent->low[k] = (at[k] < extent->low[k]) ? at[k] : extent->low[k];
         extent->high[k] = (at[k] > extent->high[k]) ? at[k] : extent->high[k];
     }

@@ -115,7 +115,7 @@ static bool spread_of_midpoint(const sight_t sights[OCEL_EYE_COUNT], const ocel_
     uint64_t size = 0U;
     bool known;
 
-    for (uint32_t i = 0U; i < 2U; i++) { /* bound: two eyes */
+    for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 eyes */
         const int64_t tau = ocel_scale_q60(c->t_q30[i], lead - 36);
         ocel_matrix_t m;
 
@@ -222,7 +222,7 @@ static ocel_status_t judge(const sight_t sights[OCEL_EYE_COUNT], bool meet, ocel
 
     result->disagree = !meet;
     result->best = (result->has_radius && !trusted) ? result->by_radius : result->stereo;
-    for (uint32_t i = 0U; i < 2U; i++) { /* bound: two eyes */
+    for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 eyes */
         if (result->has_radius && trusted && !result->disagree) {
             result->disagree = !add_range(&sights[i], &result->best);
         }
@@ -262,7 +262,7 @@ static ocel_status_t place_ball(const ocel_cone_t *const cones[OCEL_EYE_COUNT],
 
     (void)memset(sights, 0, sizeof(sights));
     result->has_radius = radius_u > 0;
-    for (uint32_t i = 0U; i < 2U; i++) { /* bound: two eyes */
+    for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 eyes */
         if ((status == OCEL_OK) && (cones[i] != NULL)) {
             status = see(cones[i], &X_root_eye[i], radius_u, &sights[i], &result->best);
             if (result->has_radius && (sights[i].variance_u2 < least_u2)) {

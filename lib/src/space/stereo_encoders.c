@@ -69,7 +69,7 @@ static ocel_status_t place_fractions(const fractions_t *f, int32_t baseline_u,
         int32_t e;
 
         ocel_recip_q60((uint64_t)ocel_widen_q30(f->under_q30), &y_q60, &e);
-        for (uint32_t i = 0U; i < 2U; i++) { /* bound: right, forward */
+        for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2, right and forward */
             const int64_t half_q60 = ocel_mul_q60(ocel_asr64(over_q60[i], 1U), y_q60);
 
             p_u[i] = ocel_scale_q60(ocel_mul_q60(ocel_widen_q30(baseline_u), half_q60), e - 30);

@@ -27,7 +27,7 @@ ocel_status_t ocel_stereo_midpoint(const ocel_ray_t *ray_left, const ocel_ray_t 
         }
         if (status == OCEL_OK) {
             midpoint->gap_u = ocel_line_between(&left, &right, &c, midpoint->p_u);
-            for (uint32_t i = 0U; i < 2U; i++) { /* bound: two eyes */
+            for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 eyes */
                 midpoint->range_u[i] = (uint32_t)ocel_shift_round64(c.t_q30[i], 30U);
             }
         }
