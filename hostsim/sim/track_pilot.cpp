@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "track_pilot.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "frames.hpp"
@@ -111,6 +112,9 @@ JointAngles Pilot::command(const JointAngles &angles, std::int64_t time_us) {
     ocel_gaze_error_t errors[OCEL_EYE_COUNT] = {};
     LibraryJoints command{};
     (void)ocel_tracker_update(&later, time_us + lead_us, nullptr, &track);
+    if (scenario_.gaze.floor) {
+        track.p_root_u[2] = std::max(track.p_root_u[2], units(scenario_.target.radius));
+    }
     must(ocel_head_forward(&ocel_head_paper, joints.data(), X_root_eye), "ocel_head_forward");
     for (const Side side : {kLeft, kRight}) {
         if (is_followed(track)) {

@@ -65,10 +65,11 @@ void read_tracker(TomlReader reader, TrackerChoice &tracker) {
 }
 
 void read_following(TomlReader reader, GazeChoice &gaze) {
-    reader.expect_only({"gain", "lead", "follow"});
+    reader.expect_only({"gain", "lead", "follow", "floor"});
     gaze.gain = reader.number("gain", 0.0, 64.0, "1/s");
     gaze.lead = reader.number("lead", 0.0, 1.0, "s");
     gaze.follow = reader.number("follow", 0.0, kFarthest, "SMU");
+    gaze.floor = reader.choice("floor", {"known", "none"}) == 0;
     reader.finish();
 }
 

@@ -44,7 +44,8 @@ struct TrackerChoice {
 struct GazeChoice {
     double gain;   // 1/s, of the eyes
     double lead;   // s ahead of the moment of the command
-    double follow; // SMU: a guess is followed while its deviation is below
+    double follow; // SMU: a track is followed while its deviation is below
+    bool floor;    // known: the ball is not expected below it
 };
 
 struct TrackScenario : Setting {
