@@ -43,6 +43,26 @@ std::optional<Ellipse> outline_of_sphere(const Mat3 &camera_matrix, const Vec3 &
     return ellipse_of_conic(to_ray.t() * cone * to_ray);
 }
 
+// Green's theorem, about the first point so that no digits are lost.
+Ellipse ellipse_of_polygon(const std::vector<cv::Point2d> &points) {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const cv::Point2d a = points[i] - points[0];
+        const cv::Point2d b = points[(i + 1) % points.size()] - points[0];
+        const double twice = a.cross(b);
+        n += twice / 2.0;
+        x += twice * (a.x + b.x) / 6.0;
+        y += twice * (a.y + b.y) / 6.0;
+        xx += twice * (a.x * a.x + a.x * b.x + b.x * b.x) / 12.0;
+        xy += twice * (2.0 * a.x * a.y + a.x * b.y + b.x * a.y + 2.0 * b.x * b.y) / 24.0;
+        yy += twice * (a.y * a.y + a.y * b.y + b.y * b.y) / 12.0;
+    }
+    x /= n;
+    y /= n;
+    const cv::Matx22d variance(xx / n - x * x, xy / n - x * y, xy / n - x * y, yy / n - y * y);
+    return {points[0] + cv::Point2d(x, y), variance * 4.0};
+}
+
 Ellipse ellipse_of(const ocel_ellipse_t &ellipse) {
     const double angle = ellipse.angle_turn_q32 * (2.0 * kPi / 4294967296.0);
     const double a = ellipse.a_px_q16 / 65536.0;

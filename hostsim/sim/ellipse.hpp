@@ -6,6 +6,7 @@
 
 #include <opencv2/core/types.hpp>
 #include <optional>
+#include <vector>
 
 #include <ocellus/types.h>
 
@@ -38,6 +39,10 @@ std::optional<Ellipse> ellipse_of_conic(const Mat3 &conic);
 // front.
 std::optional<Ellipse> outline_of_sphere(const Mat3 &camera_matrix, const Vec3 &p_cam,
                                          double radius);
+
+// The one with the centroid and the second moments of the polygon's area: a uniform
+// ellipse's variance along an axis is a quarter of the semi-axis squared.
+Ellipse ellipse_of_polygon(const std::vector<cv::Point2d> &points);
 
 // The library's.
 Ellipse ellipse_of(const ocel_ellipse_t &ellipse);

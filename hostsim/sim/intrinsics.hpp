@@ -6,12 +6,15 @@
 #define OCELLUS_SIM_INTRINSICS_HPP
 
 #include <opencv2/core/types.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <ocellus/camera.h>
 
+#include "ellipse.hpp"
 #include "geometry.hpp"
+#include "lens.hpp"
 
 namespace sim {
 
@@ -22,6 +25,7 @@ struct Intrinsics {
     double cy;
     int width; // px
     int height;
+    Lens lens{};
 };
 
 // The iCub simulator's cameras through the years; until 2010-09 an integer
@@ -38,10 +42,16 @@ Intrinsics make_intrinsics(const std::string &preset, int width);
 // Where a point in front of the camera is seen, px.
 cv::Point2d project(const Intrinsics &camera, const Vec3 &p_cam);
 
-// The unit vector along which a pixel is seen.
-Vec3 pixel_ray(const Intrinsics &camera, const cv::Point2d &pixel);
+// The unit vector along which a pixel is seen; nothing when no ray comes there
+// through the lens.
+std::optional<Vec3> pixel_ray(const Intrinsics &camera, const cv::Point2d &pixel);
 
-// K: takes (x/z, y/z, 1) to pixels.
+// The outline of a sphere of `radius` at p_cam.  Through a lens it is no ellipse:
+// then the one with its centroid and its second moments, to 1e-4 px.  Nothing when
+// the sphere is not all in front.
+std::optional<Ellipse> seen_outline(const Intrinsics &camera, const Vec3 &p_cam, double radius);
+
+// K: takes (x/z, y/z, 1), which the lens has bent, to pixels.
 Mat3 camera_matrix(const Intrinsics &camera);
 
 ocel_intrinsics_t library_intrinsics(const Intrinsics &camera);

@@ -41,18 +41,30 @@ Outline ellipse_outline(Method method, const Detector &detector) {
     return outline_of(ellipse_of(detection.ellipse), detection.status, detector.intrinsics());
 }
 
+// The cone's outline in the picture.  The library's leaves the lens out.
+std::optional<Ellipse> outline_of_cone(const Detector &detector, const ocel_cone_t &cone) {
+    if (detector.intrinsics().lens.bends()) {
+        return seen_outline(detector.intrinsics(), unit_vector(cone.axis_cam_q30),
+                            cone.sin_q30 / 1073741824.0);
+    }
+    ocel_ellipse_t ellipse{};
+    return ocel_cone_outline(&detector.camera(), &cone, &ellipse) == OCEL_OK
+               ? std::optional(ellipse_of(ellipse))
+               : std::nullopt;
+}
+
 Outline cone_outline(const Detector &detector) {
     Outline outline;
     outline.status =
         ocel_eye_cone(&detector.eye(), &detector.camera(), &detector.detection(), &outline.cone);
-    ocel_ellipse_t ellipse{};
-    if (outline.cone.sin_q30 == 0 ||
-        ocel_cone_outline(&detector.camera(), &outline.cone, &ellipse) != OCEL_OK) {
+    const auto ellipse =
+        outline.cone.sin_q30 == 0 ? std::nullopt : outline_of_cone(detector, outline.cone);
+    if (!ellipse) {
         return not_found(outline.status == OCEL_OK ? OCEL_OUT_OF_RANGE : outline.status);
     }
     outline.found = true;
     outline.has_cone = true;
-    outline.ellipse = ellipse_of(ellipse);
+    outline.ellipse = *ellipse;
     outline.d_cam = unit_vector(outline.cone.axis_cam_q30);
     return outline;
 }

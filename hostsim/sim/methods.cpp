@@ -31,9 +31,14 @@ std::vector<std::string> method_names() {
 Outline outline_of(const Ellipse &ellipse, ocel_status_t status, const Intrinsics &camera) {
     Outline outline;
     outline.status = status;
+    const auto ray = pixel_ray(camera, ellipse.centre);
+    if (!ray) { // far outside the picture, where the lens shows nothing
+        outline.status = OCEL_OUT_OF_RANGE;
+        return outline;
+    }
     outline.found = true;
     outline.ellipse = ellipse;
-    outline.d_cam = pixel_ray(camera, ellipse.centre);
+    outline.d_cam = *ray;
     return outline;
 }
 

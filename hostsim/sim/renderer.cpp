@@ -6,20 +6,14 @@
 #include <string>
 
 #include "gl.hpp"
-#include "random.hpp"
-#include "shaders.hpp"
 
 namespace sim {
 
 namespace {
 
-using Mat4 = cv::Matx44d;
-
 // What is drawn lies between these, SMU.
 constexpr double kNear = 0.05;
 constexpr double kFar = 60.0;
-
-constexpr int kPatternSize = 256;
 
 struct Light {
     double ambient;
@@ -52,15 +46,6 @@ Mat4 projection(const Intrinsics &camera) {
     return p;
 }
 
-// The grid of samples as a camera: its nodes 0, k, 2k ... are the pixels' edges.
-Intrinsics sample_grid(const Intrinsics &camera, int k) {
-    if (k == 1) {
-        return camera;
-    }
-    return {camera.fx * k,         camera.fy * k,        (camera.cx + 0.5) * k,
-            (camera.cy + 0.5) * k, camera.width * k + 1, camera.height * k + 1};
-}
-
 Mat4 matrix_of(const Mat3 &r, const Vec3 &p) {
     return {r(0, 0), r(0, 1), r(0, 2), p[0], r(1, 0), r(1, 1), r(1, 2), p[1],
             r(2, 0), r(2, 1), r(2, 2), p[2], 0,       0,       0,       1};
@@ -72,146 +57,75 @@ Mat4 gl_from_camera() {
 }
 
 // From the world to clip space.
-Mat4 view(const Intrinsics &camera, const Pose &X_world_cam) {
+Mat4 clip_from_world(const Intrinsics &camera, const Pose &X_world_cam) {
     const Pose X_cam_world = inverse(X_world_cam);
     return projection(camera) * gl_from_camera() * matrix_of(X_cam_world.r, X_cam_world.p);
 }
 
-Mat3 scaled(const Mat3 &r, const Vec3 &half_size) {
-    return r * Mat3::diag(half_size);
-}
+// Between which tangents of x (axis 0) or y (1) a camera sees a cube.
+struct Tangents {
+    double low[2];
+    double high[2];
+};
 
-unsigned compile(unsigned kind, const std::string &text) {
-    const unsigned shader = glCreateShader(kind);
-    const char *const source = text.c_str();
-    glShaderSource(shader, 1, &source, nullptr);
-    glCompileShader(shader);
-    int good = 0;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
-    if (good == 0) {
-        char message[1024] = "";
-        glGetShaderInfoLog(shader, sizeof message, nullptr, message);
-        throw std::runtime_error(std::string("a shader does not compile: ") + message);
-    }
-    return shader;
-}
-
-unsigned linked_program(const char *hit) {
-    const unsigned program = glCreateProgram();
-    const unsigned vertex = compile(GL_VERTEX_SHADER, std::string(kVersion) + kVertexShader);
-    const unsigned fragment =
-        compile(GL_FRAGMENT_SHADER, std::string(kVersion) + kFragmentShader + hit + kFragmentMain);
-    glAttachShader(program, vertex);
-    glAttachShader(program, fragment);
-    glLinkProgram(program);
-    glDeleteShader(vertex);
-    glDeleteShader(fragment);
-    return program;
-}
-
-// Six faces of two triangles; each vertex a corner and its face's normal.
-std::vector<float> cube_vertices() {
-    constexpr int kCorners[6][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
-    std::vector<float> vertices;
-    for (int axis = 0; axis < 3; ++axis) {
-        for (int side = -1; side <= 1; side += 2) {
-            for (const auto &corner : kCorners) {
-                float vertex[6] = {};
-                vertex[axis] = vertex[3 + axis] = static_cast<float>(side);
-                // Anticlockwise as seen from outside.
-                vertex[(axis + 1) % 3] = static_cast<float>(corner[0] * side);
-                vertex[(axis + 2) % 3] = static_cast<float>(corner[1]);
-                vertices.insert(vertices.end(), vertex, vertex + 6);
-            }
+// Nothing when the cube reaches behind what is near, and may be seen anywhere.
+std::optional<Tangents> tangents_of(const Pose &X_cam_cube, const Vec3 &half_size) {
+    Tangents tangents{{1e9, 1e9}, {-1e9, -1e9}};
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 p_cube((corner & 1) != 0 ? half_size[0] : -half_size[0],
+                          (corner & 2) != 0 ? half_size[1] : -half_size[1],
+                          (corner & 4) != 0 ? half_size[2] : -half_size[2]);
+        const Vec3 p_cam = X_cam_cube * p_cube;
+        if (p_cam[2] < kNear) {
+            return std::nullopt;
+        }
+        for (int axis = 0; axis < 2; ++axis) {
+            const double tangent = p_cam[axis] / p_cam[2];
+            tangents.low[axis] = std::min(tangents.low[axis], tangent);
+            tangents.high[axis] = std::max(tangents.high[axis], tangent);
         }
     }
-    return vertices;
+    return tangents;
 }
 
-// Grey noise of mean .5 in squares of 1, 2, 4 ... 32 texels, the larger the
-// stronger.
-std::vector<std::uint8_t> pattern_texels() {
-    std::vector<double> sum(kPatternSize * kPatternSize, 0.0);
-    for (int octave = 0; octave < 6; ++octave) {
-        const int cells = kPatternSize >> octave;
-        Random random(static_cast<std::uint64_t>(octave));
-        std::vector<double> value(static_cast<std::size_t>(cells) *
-                                  static_cast<std::size_t>(cells));
-        for (double &cell : value) {
-            cell = random.uniform(-1, 1);
-        }
-        for (int i = 0; i < kPatternSize * kPatternSize; ++i) {
-            const int cell = (i / kPatternSize >> octave) * cells + (i % kPatternSize >> octave);
-            sum[static_cast<std::size_t>(i)] +=
-                value[static_cast<std::size_t>(cell)] * (octave + 1);
-        }
-    }
-    std::vector<std::uint8_t> texels(sum.size());
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-        texels[i] = static_cast<std::uint8_t>(std::lround(127.5 + 127.4 * sum[i] / 21.0));
-    }
-    return texels;
+Span common(const Span &a, const Span &b) {
+    return {std::max(a.first, b.first), std::min(a.last, b.last)};
+}
+
+void scissor(const Span &columns, const Span &rows) {
+    glScissor(columns.first, rows.first, std::max(columns.last - columns.first, 0),
+              std::max(rows.last - rows.first, 0));
+}
+
+unsigned new_texture() {
+    unsigned texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    return texture;
 }
 
 } // namespace
 
-// One program, and the places of its uniforms.
-class Renderer::Program {
-  public:
-    explicit Program(const char *hit) : program_(linked_program(hit)) {
-    }
-    ~Program() {
-        glDeleteProgram(program_);
-    }
-    Program(const Program &) = delete;
-    Program &operator=(const Program &) = delete;
-
-    void use() const {
-        glUseProgram(program_);
-    }
-    void set(const char *name, double value) const {
-        glUniform1f(place(name), static_cast<float>(value));
-    }
-    void set(const char *name, const Vec3 &v) const {
-        const cv::Vec3f f = v;
-        glUniform3fv(place(name), 1, f.val);
-    }
-    void set(const char *name, const Vec3 &v, double w) const {
-        const cv::Vec4f f(static_cast<float>(v[0]), static_cast<float>(v[1]),
-                          static_cast<float>(v[2]), static_cast<float>(w));
-        glUniform4fv(place(name), 1, f.val);
-    }
-    void set(const char *name, const Mat3 &m) const {
-        const cv::Matx33f f = m;
-        glUniformMatrix3fv(place(name), 1, GL_TRUE, f.val);
-    }
-    void set(const char *name, const Mat4 &m) const {
-        const cv::Matx44f f = m;
-        glUniformMatrix4fv(place(name), 1, GL_TRUE, f.val);
-    }
-
-  private:
-    int place(const char *name) const {
-        return glGetUniformLocation(program_, name);
-    }
-    unsigned program_;
-};
-
 struct Renderer::Pass {
     Mat4 clip_from_world;
-    Vec3 eye_world;
+    Pose X_world_cam;
     Light light;
-    bool mask; // the target white, all else black
+    Span rows; // as OpenGL counts them, from the bottom
 };
 
-Renderer::Renderer(const Intrinsics &camera, int supersampling)
-    : camera_(camera), supersampling_(supersampling), drawn_(sample_grid(camera, supersampling)),
-      width_(drawn_.width), height_(drawn_.height), context_(make_osmesa_context()),
-      pixels_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4) {
-    for (const char *hit : {kBoxHit, kBallHit, kDiscHit}) {
-        programs_.push_back(std::make_unique<Program>(hit));
+Renderer::Renderer(const Intrinsics &camera, int supersampling, const Shutter &shutter)
+    : camera_(camera), shutter_(shutter), drawn_(sample_grid(camera, supersampling)),
+      context_(make_osmesa_context()), samples_(static_cast<std::size_t>(drawn_.width) *
+                                                static_cast<std::size_t>(drawn_.height) * 4),
+      sum_(camera, supersampling) {
+    for (const Shape shape : {Shape::kBox, Shape::kBall, Shape::kDisc}) {
+        programs_.push_back(std::make_unique<Program>(shape, camera.lens.bends()));
     }
     make_cube();
+    if (camera.lens.bends()) {
+        make_rays();
+    }
     make_pattern();
     make_target();
 }
@@ -220,6 +134,7 @@ Renderer::~Renderer() {
     context_->make_current();
     programs_.clear();
     glDeleteTextures(1, &pattern_);
+    glDeleteTextures(1, &rays_);
     glDeleteRenderbuffers(1, &colours_);
     glDeleteRenderbuffers(1, &depths_);
     glDeleteFramebuffers(1, &framebuffer_);
@@ -243,17 +158,30 @@ void Renderer::make_cube() {
     }
 }
 
+// Texture unit 0, where it stays.
 void Renderer::make_pattern() {
     const std::vector<std::uint8_t> texels = pattern_texels();
     const int swizzle[] = {GL_RED, GL_RED, GL_RED, GL_ONE};
-    glGenTextures(1, &pattern_);
-    glBindTexture(GL_TEXTURE_2D, pattern_);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glActiveTexture(GL_TEXTURE0);
+    pattern_ = new_texture();
     glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, kPatternSize, kPatternSize, 0, GL_RED, GL_UNSIGNED_BYTE,
                  texels.data());
     glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, swizzle);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glGenerateMipmap(GL_TEXTURE_2D);
+}
+
+// Texture unit 1.
+void Renderer::make_rays() {
+    const std::vector<float> texels = ray_texels(drawn_);
+    glActiveTexture(GL_TEXTURE1);
+    rays_ = new_texture();
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, drawn_.width, drawn_.height, 0, GL_RGB, GL_FLOAT,
+                 texels.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    columns_.emplace(texels, drawn_.width, drawn_.height, 0);
+    rows_.emplace(texels, drawn_.width, drawn_.height, 1);
 }
 
 void Renderer::make_target() {
@@ -262,26 +190,24 @@ void Renderer::make_target() {
     const auto attach = [this](unsigned &buffer, unsigned format, unsigned point) {
         glGenRenderbuffers(1, &buffer);
         glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-        glRenderbufferStorage(GL_RENDERBUFFER, format, width_, height_);
+        glRenderbufferStorage(GL_RENDERBUFFER, format, drawn_.width, drawn_.height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, buffer);
     };
     attach(colours_, GL_RGBA8, GL_COLOR_ATTACHMENT0);
     attach(depths_, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        throw std::runtime_error("OpenGL refuses a framebuffer of " + std::to_string(width_) +
-                                 " x " + std::to_string(height_));
+        throw std::runtime_error("OpenGL refuses a framebuffer of " + std::to_string(drawn_.width) +
+                                 " x " + std::to_string(drawn_.height));
     }
-    glViewport(0, 0, width_, height_);
+    glViewport(0, 0, drawn_.width, drawn_.height);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
 }
 
 void Renderer::draw_solid(const Solid &solid, const Pass &pass) {
     const Program &program = *programs_[static_cast<std::size_t>(solid.shape)];
-    const Mat3 world_from_cube = scaled(solid.X_world_solid.r, solid.half_size);
-    const Vec3 eye = inverse(solid.X_world_solid) * pass.eye_world;
-    const double white = solid.is_target ? 1.0 : 0.0;
-    const bool textured = solid.textured && !pass.mask;
+    const Mat3 world_from_cube = solid.X_world_solid.r * Mat3::diag(solid.half_size);
+    const Vec3 eye = inverse(solid.X_world_solid) * pass.X_world_cam.p;
     program.use();
     program.set("clip_from_cube",
                 pass.clip_from_world * matrix_of(world_from_cube, solid.X_world_solid.p));
@@ -289,89 +215,105 @@ void Renderer::draw_solid(const Solid &solid, const Pass &pass) {
     program.set("half_size", solid.half_size);
     program.set("eye", Vec3(eye[0] / solid.half_size[0], eye[1] / solid.half_size[1],
                             eye[2] / solid.half_size[2]));
-    program.set("albedo", pass.mask ? Vec3(white, white, white) : solid.colour, textured ? 1 : 0);
+    program.set("albedo", solid.colour, solid.textured ? 1 : 0);
+    program.set("target", solid.is_target ? 1.0 : 0.0);
     program.set("ambient", pass.light.ambient);
     program.set("glare", pass.light.glare);
     program.set("to_light", cv::normalize(Vec3(-0.5, 0.5, 0.8)));
-    glDrawArrays(GL_TRIANGLES, 0, 36);
+    if (columns_) {
+        draw_through_lens(solid, pass, world_from_cube);
+    } else {
+        glDrawArrays(GL_TRIANGLES, 0, 36);
+    }
 }
 
-void Renderer::draw(const Drawing &drawing, const Pass &pass) {
-    context_->make_current();
-    const cv::Vec3f clear = pass.mask ? Vec3() : drawing.clear_colour;
-    glClearColor(clear[0], clear[1], clear[2], 1.0F);
+// Only where it may be seen: a ray is cast for every sample that is drawn to.
+void Renderer::draw_through_lens(const Solid &solid, const Pass &pass,
+                                 const Mat3 &world_from_cube) {
+    const auto seen = tangents_of(inverse(pass.X_world_cam) * solid.X_world_solid, solid.half_size);
+    Span columns{0, drawn_.width};
+    Span rows = pass.rows;
+    if (seen) {
+        columns = columns_->within(seen->low[0], seen->high[0]);
+        rows = common(rows, rows_->within(seen->low[1], seen->high[1]));
+    }
+    const Program &program = *programs_[static_cast<std::size_t>(solid.shape)];
+    program.set("cube_from_cam", world_from_cube.inv() * pass.X_world_cam.r);
+    program.set("rays", 1);
+    scissor(columns, rows);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+// `rows` of samples as a picture counts them, from the top.  A whole picture
+// without a lens is spared the scissors, which cost a tenth.
+void Renderer::draw(const View &view, Span rows) {
+    const Pass pass{clip_from_world(drawn_, view.X_world_cam),
+                    view.X_world_cam,
+                    light_of(view.drawing.lighting),
+                    {drawn_.height - rows.last, drawn_.height - rows.first}};
+    const cv::Vec3f clear = view.drawing.clear_colour;
+    if (rows.last - rows.first < drawn_.height || columns_) {
+        glEnable(GL_SCISSOR_TEST);
+        scissor({0, drawn_.width}, pass.rows);
+    }
+    glClearColor(clear[0], clear[1], clear[2], 0.0F);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    for (const Solid &solid : drawing.solids) {
+    for (const Solid &solid : view.drawing.solids) {
         draw_solid(solid, pass);
     }
-    read_pixels();
 }
 
-void Renderer::read_pixels() {
+// Every line of samples at its own time, `offset` within the exposure.
+void Renderer::draw_subframe(const Motion &motion, double offset) {
+    if (shutter_.readout == 0.0) {
+        draw(motion(offset), {0, drawn_.height});
+        return;
+    }
+    for (int row = 0; row < drawn_.height; ++row) {
+        const double share = (row + 0.5) / drawn_.height - 0.5;
+        draw(motion(offset + share * shutter_.readout), {row, row + 1});
+    }
+}
+
+void Renderer::read_samples() {
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels_.data());
+    glReadPixels(0, 0, drawn_.width, drawn_.height, GL_RGBA, GL_UNSIGNED_BYTE, samples_.data());
     if (glGetError() != GL_NO_ERROR) {
         throw std::runtime_error("OpenGL reports an error after drawing");
     }
 }
 
-// By the trapezoid rule the samples on a pixel's border count half.
-unsigned Renderer::weight(std::size_t sample) const {
-    const auto k = static_cast<std::size_t>(supersampling_);
-    return k == 1 || sample == 0 || sample == k ? 1U : 2U;
-}
-
-// Pixels to the mean over their area, to the nearest level, top row first.
-cli::Image Renderer::averaged() const {
-    const auto k = static_cast<std::size_t>(supersampling_);
-    const std::size_t last = k == 1 ? 0 : k; // sample of a pixel, along a side
-    const auto total = static_cast<unsigned>(k == 1 ? 1 : 4 * k * k);
-    const auto bottom = static_cast<std::size_t>(height_) - 1;
-    cli::Image image;
-    image.width = static_cast<std::uint32_t>(camera_.width);
-    image.height = static_cast<std::uint32_t>(camera_.height);
-    image.channels = 3;
-    image.pixels.resize(image.row_bytes() * image.height);
-    std::vector<unsigned> sum(image.row_bytes());
-    for (std::size_t y = 0; y < image.height; ++y) {
-        std::fill(sum.begin(), sum.end(), 0U);
-        for (std::size_t sample = 0; sample <= last; ++sample) {
-            add_line(bottom - (y * k + sample), weight(sample), sum);
-        }
-        for (std::size_t i = 0; i < sum.size(); ++i) {
-            image.row(y)[i] = static_cast<std::uint8_t>((sum[i] + total / 2) / total);
-        }
-    }
-    return image;
-}
-
-// Adds a line of samples to a line of pixels.
-void Renderer::add_line(std::size_t line, unsigned line_weight, std::vector<unsigned> &sum) const {
-    const auto k = static_cast<std::size_t>(supersampling_);
-    const std::size_t last = k == 1 ? 0 : k;
-    const std::uint8_t *first = pixels_.data() + line * static_cast<std::size_t>(width_) * 4;
-    for (std::size_t i = 0; i < sum.size(); i += 3, first += 4 * k) {
-        for (std::size_t sample = 0; sample <= last; ++sample) {
-            const unsigned share = line_weight * weight(sample);
-            sum[i] += share * first[4 * sample];
-            sum[i + 1] += share * first[4 * sample + 1];
-            sum[i + 2] += share * first[4 * sample + 2];
-        }
-    }
-}
-
 cli::Image Renderer::picture(const Drawing &drawing, const Pose &X_world_cam) {
-    draw(drawing, {view(drawn_, X_world_cam), X_world_cam.p, light_of(drawing.lighting), false});
-    return averaged();
+    context_->make_current();
+    sum_.clear();
+    draw({drawing, X_world_cam}, {0, drawn_.height});
+    read_samples();
+    sum_.add(samples_);
+    return summed();
+}
+
+cli::Image Renderer::picture(const Motion &motion) {
+    context_->make_current();
+    sum_.clear();
+    for (int i = 0; i < shutter_.subframes; ++i) {
+        const double share = (i + 0.5) / shutter_.subframes - 0.5;
+        draw_subframe(motion, share * shutter_.exposure);
+        read_samples();
+        sum_.add(samples_);
+    }
+    return summed();
+}
+
+cli::Image Renderer::summed() {
+    seen_area_ = sum_.target_area();
+    return sum_.picture();
 }
 
 double Renderer::target_area(const Drawing &drawing, const Pose &X_world_cam) {
-    draw(drawing, {view(drawn_, X_world_cam), X_world_cam.p, light_of(Lighting::kFlat), true});
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < pixels_.size(); i += 4) {
-        count += pixels_[i] > 127 ? 1U : 0U;
-    }
-    return static_cast<double>(count) / (supersampling_ * supersampling_);
+    context_->make_current();
+    draw({drawing, X_world_cam}, {0, drawn_.height});
+    read_samples();
+    return sum_.target_area_of(samples_);
 }
 
 } // namespace sim

@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// Draws what a pinhole camera sees.  `supersampling` 1 takes one sample in each
-// pixel's middle: the hard edges of the iCub simulator.  2 and 4 average a pixel's
-// area by the trapezoid rule, on a grid of samples that has the pixels' corners:
-// so it has their middles as well, and a pixel that an edge halves is not always
-// taken for one side, which would make every ball .1 px larger.
+// Draws what a camera sees: pinhole or lens, at once or as its shutter goes.
 #ifndef OCELLUS_SIM_RENDERER_HPP
 #define OCELLUS_SIM_RENDERER_HPP
 
-#include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "drawing.hpp"
-#include "image.hpp"
-#include "intrinsics.hpp"
 #include "render_context.hpp"
+#include "renderer_program.hpp"
+#include "renderer_samples.hpp"
+#include "renderer_shapes.hpp"
+#include "shutter.hpp"
 
 namespace sim {
 
 class Renderer {
   public:
-    // supersampling: 1, 2 or 4.
-    Renderer(const Intrinsics &camera, int supersampling);
+    // supersampling: 1, 2 or 4 (renderer_samples.hpp).
+    Renderer(const Intrinsics &camera, int supersampling, const Shutter &shutter = {});
     ~Renderer();
     Renderer(const Renderer &) = delete;
     Renderer &operator=(const Renderer &) = delete;
@@ -30,42 +27,56 @@ class Renderer {
     const Intrinsics &camera() const {
         return camera_;
     }
+    const Shutter &shutter() const {
+        return shutter_;
+    }
 
-    // The picture in R, G, B.
+    // The picture in R, G, B of what stands still.
     cli::Image picture(const Drawing &drawing, const Pose &X_world_cam);
 
-    // The area of the target that the camera sees, px: it is counted before
-    // averaging, so in steps of 1 / supersampling^2.
+    // The picture of what moves: each line of samples at its own time, and the mean
+    // of the shutter's subframes.
+    cli::Image picture(const Motion &motion);
+
+    // The area of the target that the last picture shows, px; 0: not in view.
+    double seen_area() const {
+        return seen_area_;
+    }
+
+    // The same of what stands still, without a picture of it.
     double target_area(const Drawing &drawing, const Pose &X_world_cam);
 
   private:
-    class Program;
-    struct Pass; // what is the same for all solids of a picture
+    struct Pass; // what is the same for all solids of a drawing
 
-    void draw(const Drawing &drawing, const Pass &pass);
+    void draw(const View &view, Span rows);
+    void draw_subframe(const Motion &motion, double offset);
     void draw_solid(const Solid &solid, const Pass &pass);
+    void draw_through_lens(const Solid &solid, const Pass &pass, const Mat3 &world_from_cube);
     void make_cube();
     void make_target();
     void make_pattern();
-    void read_pixels();
-    void add_line(std::size_t line, unsigned weight, std::vector<unsigned> &sum) const;
-    unsigned weight(std::size_t sample) const;
-    cli::Image averaged() const;
+    void make_rays();
+    void read_samples();
+    cli::Image summed();
 
     Intrinsics camera_;
-    int supersampling_;
-    Intrinsics drawn_; // of the grid of samples
-    int width_;        // of that grid
-    int height_;
+    Shutter shutter_;
+    Intrinsics drawn_; // the grid of samples
     std::unique_ptr<RenderContext> context_;
     std::vector<std::unique_ptr<Program>> programs_; // by Shape
+    std::optional<RayBounds> columns_;               // with a lens
+    std::optional<RayBounds> rows_;
     unsigned vertices_ = 0;
     unsigned cube_ = 0;
     unsigned framebuffer_ = 0;
     unsigned colours_ = 0;
     unsigned depths_ = 0;
     unsigned pattern_ = 0;
-    std::vector<std::uint8_t> pixels_; // as drawn: R, G, B, A, bottom row first
+    unsigned rays_ = 0;
+    Samples samples_; // of the last drawing
+    SampleSum sum_;
+    double seen_area_ = 0.0;
 };
 
 } // namespace sim

@@ -63,8 +63,8 @@ void judge_outlines(const Outlines &outlines, const Scenario &scenario, const Tr
 } // namespace
 
 std::optional<Ellipse> true_outline(const Scenario &scenario, const Truth &truth, Side side) {
-    return outline_of_sphere(camera_matrix(scenario.camera.intrinsics), target_in_eye(truth, side),
-                             scenario.target.radius);
+    return seen_outline(scenario.camera.intrinsics, target_in_eye(truth, side),
+                        scenario.target.radius);
 }
 
 double mean_radius(const Ellipse &ellipse) {

@@ -111,7 +111,7 @@ void test_outline_of_known_spheres(void) {
 void test_ray_undoes_projection(void) {
     const Intrinsics camera = make_intrinsics("icub-2009", 320);
     const Vec3 p_cam(0.3, -0.2, 1.7);
-    const Vec3 along = pixel_ray(camera, project(camera, p_cam));
+    const Vec3 along = *pixel_ray(camera, project(camera, p_cam));
     TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0.0, cv::norm(along - cv::normalize(p_cam)));
 }
 
