@@ -29,4 +29,9 @@ void ocel_port_write(const char *text);
  * startup painted; 0 where nobody painted it. */
 uint32_t ocel_port_stack_used(void);
 
+/* Runs call() on a stack that is painted for it, and says how many bytes of it were
+ * used, to the word; 0 where nobody can tell.  No interrupt may have its frame there:
+ * before ocel_port_start(), say. */
+uint32_t ocel_port_stack_of(void (*call)(void));
+
 #endif

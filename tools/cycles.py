@@ -3,10 +3,10 @@
 """What each stage costs: instructions a call, and a unit of its input.
 
 Runs tests/bench/stage_cost under callgrind (when valgrind is there; without
-it, only the machine's clock is read) and writes cycles.md and cycles.csv into
+it, only the machine's clock is read) and writes cycles.md and calls_host.csv into
 --out.  Instructions are exact and repeatable; nanoseconds are this machine's
-and are reported, never asserted.  A stage that takes more instructions than
---budgets gives it fails.
+and are reported, never asserted.  A stage that takes more instructions than its
+budget (tools/budgets.py) fails.
 """
 import argparse
 import csv
@@ -15,14 +15,8 @@ import shutil
 import subprocess
 import sys
 
+import budgets
 from callgrind_costs import measure
-
-
-def read_budgets(path):
-    """stage -> instructions at most."""
-    with path.open() as file:
-        rows = csv.reader(line for line in file if not line.startswith("#"))
-        return {name: int(limit) for name, limit in rows}
 
 
 def main():
@@ -30,7 +24,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", help="build/host/bin/stage_cost")
     parser.add_argument("--out", type=pathlib.Path, required=True, metavar="FOLDER")
-    parser.add_argument("--budgets", type=pathlib.Path, required=True, metavar="CSV")
+    parser.add_argument("--budgets", type=pathlib.Path, default=budgets.FILE, metavar="CSV")
     args = parser.parse_args()
 
     run = subprocess.run([args.program, "20"], capture_output=True, text=True, check=False)
@@ -41,28 +35,14 @@ def main():
     costs = {}
     if shutil.which("valgrind"):
         costs, _ = measure([args.program], "^measure_")
-    budgets = read_budgets(args.budgets)
-
-    rows, failed = [], False
-    for name, text, units, ns in stages:
-        insn = costs.get(f"measure_{name}", (None,))[0]
-        budget = budgets.get(name)
-        rows.append((name, text, int(units), insn, budget, int(ns)))
-        if budget is None:
-            print(f"cycles: {name} has no budget in {args.budgets}", file=sys.stderr)
-            failed = True
-        elif insn is not None and insn > budget:
-            print(f"cycles: {name} takes {insn} instructions, over its budget of {budget} "
-                  f"({args.budgets})", file=sys.stderr)
-            failed = True
-    for name in set(budgets) - {row[0] for row in rows}:
-        print(f"cycles: {args.budgets} names {name}, which is no stage", file=sys.stderr)
-        failed = True
+    limits = budgets.limits("host", args.budgets)
+    rows = [(name, text, int(units), costs.get(f"measure_{name}", (None,))[0],
+             limits.get((name, text)), int(ns)) for name, text, units, ns in stages]
 
     args.out.mkdir(parents=True, exist_ok=True)
-    with (args.out / "cycles.csv").open("w", newline="") as file:
+    with (args.out / "calls_host.csv").open("w", newline="") as file:
         writer = csv.writer(file)
-        writer.writerow(["stage", "input", "units", "instructions", "budget", "ns"])
+        writer.writerow(["function", "input", "units", "insn", "budget", "ns"])
         writer.writerows(rows)
     lines = ["Cost of each stage on this machine (instructions by callgrind; ns by the clock, "
              "fastest of 20).", "",
@@ -76,7 +56,8 @@ def main():
         lines += ["", "No valgrind here: instructions were not counted."]
     (args.out / "cycles.md").write_text("\n".join(lines) + "\n")
     print("\n".join(lines))
-    return 1 if failed else 0
+    within = budgets.report("host", {row[:2]: row[3] for row in rows}, args.budgets)
+    return 0 if within else 1
 
 
 if __name__ == "__main__":

@@ -53,7 +53,7 @@ caught() {
 }
 restore() { # only what differs, so that the next build is of that alone
     local file
-    diff -rq lib.clean lib | sed -n 's,^Files lib.clean/\(.*\) and .*,\1,p; s,^Only in lib\(.*\): \(.*\),\1/\2,p' |
+    diff -rq lib.clean lib | sed -n 's,^Files lib.clean/\(.*\) and .*,\1,p; s,^Only in lib\(\.clean\)\{0\,1\}\(.*\): \(.*\),\2/\3,p' |
         while read -r file; do
             rm -rf "lib/$file"
             [ ! -e "lib.clean/$file" ] || cp "lib.clean/$file" "lib/$file"
@@ -150,13 +150,13 @@ cat >stage_cost <<'STAGE'
 echo "eye_frame;a frame;76800;1"
 STAGE
 chmod +x stage_cost
-echo 'eye_frame,1' >budgets.csv
-echo 'another,1' >>budgets.csv
-caught "a budget for no stage" "which is no stage" \
+echo 'target,function,input,instructions' >budgets.csv
+printf 'host,%s,a frame,1\n' eye_frame another >>budgets.csv
+caught "a budget for no stage" "is not measured" \
     tools/cycles.py ./stage_cost --out . --budgets budgets.csv
 program="$root/build/host/bin/stage_cost"
 if [ -x "$program" ]; then
-    sed 's/^\([a-z].*\),[0-9]*$/\1,1/' "$root/tests/bench/budgets.csv" >budgets.csv
+    sed 's/^\(host,.*\),[0-9]*$/\1,1/' "$root/tests/budgets.csv" >budgets.csv
     caught "a stage over its budget" "over its budget" \
         tools/cycles.py "$program" --out . --budgets budgets.csv
 fi

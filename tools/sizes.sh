@@ -99,8 +99,7 @@ linked_row() { # TITLE CALLS...: one row of the table; sets linked_O2
 }
 
 # Every function that a public header declares.
-$cc -E -P -Ilib/include lib/include/ocellus/ocellus.h | grep -oE '\bocel_[a-z0-9_]+\(' | tr -d '(' | sort -u >"$work/declared"
-python3 tools/stack.py --only "$work/declared" --limit $limit_stack "$work"/m4_O2/*.ci >"$work/stack" || failed=1
+python3 tools/stack.py --public lib/include --limit $limit_stack "$work"/m4_O2/*.ci >"$work/stack" || failed=1
 
 limit() { # NAME VALUE LIMIT FIX
     if [ "$2" -gt "$3" ]; then
@@ -137,7 +136,8 @@ limit ".data and .bss together" $(($(column m4_O2 "" 2) + $(column m4_O2 "" 3)))
     linked_row "the labeller alone" ocel_label_begin ocel_label_row ocel_label_end
     linked_row "\`ocel_fit_boundary\` alone" ocel_fit_boundary
     linked_row "\`ocel_fit_points\` alone, every method" ocel_fit_points
-    linked_row "every public function" $(cat "$work/declared")
+    mapfile -t public < <(cut -d" " -f1 "$work/stack")
+    linked_row "every public function" "${public[@]}"
     echo
     echo "Memory that the caller owns, bytes on a 32-bit machine under the default limits:"
     echo

@@ -103,6 +103,36 @@ uint32_t ocel_port_stack_used(void) {
     return (uint32_t)(ocel_stack_top - at) * (uint32_t)sizeof(*at);
 }
 
+/* In assembly, so that the paint begins where call() does.  Registers: r1 the place,
+ * r2 the paint, r3 where the stack stands; r4 keeps it aligned. */
+__attribute__((naked)) uint32_t ocel_port_stack_of(void (*call)(void)) {
+    (void)call;
+    __asm__ volatile(".syntax unified\n"
+                     "push {r4, lr}\n"
+                     "ldr r1, =ocel_stack_limit\n"
+                     "ldr r2, =%c0\n"
+                     "mov r3, sp\n"
+                     "1: str r2, [r1]\n"
+                     "adds r1, #4\n"
+                     "cmp r1, r3\n"
+                     "blo 1b\n"
+                     "blx r0\n"
+                     "ldr r1, =ocel_stack_limit\n"
+                     "ldr r2, =%c0\n"
+                     "mov r3, sp\n"
+                     "2: ldr r0, [r1]\n"
+                     "cmp r0, r2\n"
+                     "bne 3f\n"
+                     "adds r1, #4\n"
+                     "cmp r1, r3\n"
+                     "blo 2b\n"
+                     "3: subs r0, r3, r1\n"
+                     "pop {r4, pc}\n"
+                     ".ltorg"
+                     :
+                     : "i"(PAINT_WORD));
+}
+
 void ocel_reset(void) {
     const uint32_t *from = ocel_data_load;
     for (uint32_t *to = ocel_data_begin; to < ocel_data_end; to++) {
