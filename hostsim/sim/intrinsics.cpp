@@ -84,6 +84,18 @@ std::optional<Vec3> pixel_ray(const Intrinsics &camera, const cv::Point2d &pixel
     return ray ? std::optional(cv::normalize(Vec3(ray->x, ray->y, 1.0))) : std::nullopt;
 }
 
+std::optional<cv::Point> pixel_without_ray(const Intrinsics &camera) {
+    for (int y = 0; y < camera.height; ++y) {
+        const bool whole = y == 0 || y == camera.height - 1;
+        for (int x = 0; x < camera.width; x += whole ? 1 : camera.width - 1) {
+            if (!pixel_ray(camera, cv::Point2d(x, y))) {
+                return cv::Point(x, y);
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 std::optional<Ellipse> seen_outline(const Intrinsics &camera, const Vec3 &p_cam, double radius) {
     const auto straight = outline_of_sphere(camera_matrix(camera), p_cam, radius);
     if (!camera.lens.bends() || !straight) {

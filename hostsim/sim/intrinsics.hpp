@@ -46,6 +46,9 @@ cv::Point2d project(const Intrinsics &camera, const Vec3 &p_cam);
 // through the lens.
 std::optional<Vec3> pixel_ray(const Intrinsics &camera, const cv::Point2d &pixel);
 
+// A pixel of the picture's border that has none, if there is one.
+std::optional<cv::Point> pixel_without_ray(const Intrinsics &camera);
+
 // The outline of a sphere of `radius` at p_cam.  Through a lens it is no ellipse:
 // then the one with its centroid and its second moments, to 1e-4 px.  Nothing when
 // the sphere is not all in front.

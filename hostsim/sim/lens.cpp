@@ -35,7 +35,7 @@ cv::Matx22d jacobian(const Lens &lens, const cv::Point2d &ray) {
 // No fold between the axis and the ray: the map's determinant is positive all the
 // way.
 bool before_fold(const Lens &lens, const cv::Point2d &ray) {
-    constexpr int kParts = 32;
+    constexpr int kParts = 16;
     bool before = std::hypot(ray.x, ray.y) <= kFarthest;
     for (int i = 1; before && i <= kParts; ++i) {
         const cv::Point2d part = ray * (static_cast<double>(i) / kParts);

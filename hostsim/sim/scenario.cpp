@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenario.hpp"
 
+#include <fmt/format.h>
 #include <fstream>
 
 #include "colour_spec.hpp"
@@ -12,6 +13,8 @@ namespace sim {
 namespace {
 
 constexpr double kFarthest = 20.0; // SMU: what a scenario may ask for
+
+constexpr double kLongestShutter = 0.033; // s: of a camera that takes 30 frames a second
 
 void read_sweep(TomlReader reader, Scenario &scenario) {
     reader.expect_only({"trials", "varied", "points", "distance", "occlusion", "jitter"});
@@ -33,6 +36,16 @@ Vec3 colour_of(TomlReader &reader, const char *key) {
         reader.reject(key, "expected three numbers: red, green and blue, 0 .. 255");
     }
     return Vec3(values[0], values[1], values[2]) * (1.0 / 255.0);
+}
+
+// Nothing moves while these frames are taken: a shutter would change none of them.
+void reject_shutter(const TomlReader &camera) {
+    for (const char *const key : {"exposure", "readout"}) {
+        if (camera.has(key)) {
+            camera.reject(key, "has no effect where nothing moves while a frame is taken; expected "
+                               "it to be left out here: it is for scenarios of `track`");
+        }
+    }
 }
 
 void read_gaze(TomlReader reader, Scenario &scenario) {
@@ -61,8 +74,35 @@ void read_detector(TomlReader reader, Scenario &scenario) {
 
 } // namespace
 
+// OpenCV's five, in its order, the library's range.
+void read_lens(TomlReader &reader, Intrinsics &camera) {
+    const std::vector<double> k = reader.numbers("distortion", -16.0, 16.0, "");
+    if (k.size() != 5) {
+        reader.reject("distortion", "expected five numbers: k1, k2, p1, p2 and k3");
+    }
+    camera.lens = {k[0], k[1], k[2], k[3], k[4]};
+    if (const auto dark = pixel_without_ray(camera)) {
+        reader.reject(
+            "distortion",
+            fmt::format("leaves pixel ({}, {}) without a ray: the lens folds before it, or "
+                        "it is over 80 degrees off the axis; expected less of it",
+                        dark->x, dark->y));
+    }
+}
+
+void read_shutter(TomlReader &reader, Shutter &shutter) {
+    if (reader.has("exposure")) {
+        shutter.exposure = reader.number("exposure", 0.0, kLongestShutter, "s");
+        shutter.subframes = reader.integer("subframes", 1, 64, "drawings");
+    }
+    if (reader.has("readout")) {
+        shutter.readout = reader.number("readout", 0.0, kLongestShutter, "s");
+    }
+}
+
 void read_camera(TomlReader reader, CameraChoice &camera) {
-    reader.expect_only({"preset", "size", "supersampling", "noise"});
+    reader.expect_only({"preset", "size", "supersampling", "noise", "distortion", "exposure",
+                        "subframes", "readout"});
     constexpr int kWidths[] = {160, 320, 640};
     constexpr int kSupersamplings[] = {1, 2, 4};
     const std::vector<std::string> presets = preset_names();
@@ -72,6 +112,10 @@ void read_camera(TomlReader reader, CameraChoice &camera) {
     camera.intrinsics = make_intrinsics(presets[static_cast<std::size_t>(preset)], kWidths[size]);
     camera.supersampling = kSupersamplings[quality];
     camera.noise = reader.number("noise", 0.0, 64.0, "levels of 255");
+    if (reader.has("distortion")) {
+        read_lens(reader, camera.intrinsics);
+    }
+    read_shutter(reader, camera.shutter);
     reader.finish();
 }
 
@@ -127,6 +171,7 @@ Scenario read_scenario(const std::string &path) {
     scenario.name = reader.text("name", "the scenario's name in quotes");
     read_sweep(reader.table("sweep"), scenario);
     read_camera(reader.table("camera"), scenario.camera);
+    reject_shutter(reader.table("camera"));
     read_target(reader.table("target"), scenario.target);
     read_scene(reader.table("scene"), scenario);
     read_gaze(reader.table("gaze"), scenario);

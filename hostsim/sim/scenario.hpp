@@ -12,6 +12,7 @@
 #include "drawing.hpp"
 #include "intrinsics.hpp"
 #include "methods.hpp"
+#include "shutter.hpp"
 
 namespace sim {
 
@@ -27,7 +28,8 @@ enum class Varied { kDistance, kOcclusion };
 struct CameraChoice {
     Intrinsics intrinsics;
     int supersampling;
-    double noise; // standard deviation, levels of 255
+    double noise;      // standard deviation, levels of 255
+    Shutter shutter{}; // of what moves while a frame is taken: the closed loop's
 };
 
 struct TargetChoice {

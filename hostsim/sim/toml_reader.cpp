@@ -63,6 +63,10 @@ const toml::node &TomlReader::node(const std::string &key, const std::string &ex
     return *value;
 }
 
+bool TomlReader::has(const std::string &key) const {
+    return table_.contains(key);
+}
+
 TomlReader TomlReader::table(const std::string &key) {
     const toml::node &value = node(key, "a table [" + key + "]");
     if (!value.is_table()) {

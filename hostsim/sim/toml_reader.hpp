@@ -17,6 +17,9 @@ class TomlReader {
     // `table` and `file` must outlive it; `name` is "" for the file itself.
     TomlReader(const toml::table &table, const std::string &file, const std::string &name);
 
+    // Whether a key that may be left out stands there.
+    bool has(const std::string &key) const;
+
     TomlReader table(const std::string &key);
     // The tables [[key]] of which there may be any number, none included.
     std::vector<TomlReader> tables(const std::string &key);

@@ -79,6 +79,13 @@ void test_textured_soft_disc_stretched(void) {
                    false));
 }
 
+void test_barrel(void) {
+    Scenario scenario =
+        scenario_of("icub-2010", Shape::kDisc, Background::kCluttered, Lighting::kHarsh);
+    scenario.camera.intrinsics.lens = {-0.35, 0.12, 0.004, -0.006, 0.0};
+    assert_golden("barrel", picture_of(scenario, false));
+}
+
 } // namespace
 
 int main() {
@@ -86,5 +93,6 @@ int main() {
     RUN_TEST(test_plain_ball);
     RUN_TEST(test_cluttered_harsh_hidden);
     RUN_TEST(test_textured_soft_disc_stretched);
+    RUN_TEST(test_barrel);
     return UNITY_END();
 }

@@ -15,6 +15,15 @@ WRONG = (
     ('"yuv:0-255,174-255,0-255"', '"yuv:9-1"', '"yuv:9-1"', "[detector] colour", "yuv:y0-y1"),
     ('colour = [20, 60, 230]', 'colour = [20, 60]', "[20, 60]", "[target] colour", "red, green"),
     ('focus = 2.3 ', 'focus = 2.3\nframes = 25 ', "frames", "[gaze] frames", "no meaning"),
+    ('noise = 0.0 ', 'noise = 0.0\ndistortion = [0.1, 0.2] ', "[0.1, 0.2]", "[camera] distortion",
+     "k1, k2, p1, p2 and k3"),
+    ('noise = 0.0 ', 'noise = 0.0\ndistortion = [-0.9, 0, 0, 0, 0] ', "[-0.9", "[camera] distortion",
+     "leaves pixel (0, 0) without a ray"),
+    ('noise = 0.0 ', 'noise = 0.0\nexposure = 0.01\nsubframes = 8 ', "0.01", "[camera] exposure",
+     "nothing moves"),
+    ('noise = 0.0 ', 'noise = 0.0\nreadout = 0.01 ', "0.01", "[camera] readout", "nothing moves"),
+    ('noise = 0.0 ', 'noise = 0.0\nreadout = 0.25 ', "0.25", "[camera] readout", "0 .. 0.033 s"),
+    ('noise = 0.0 ', 'noise = 0.0\nsubframes = 8 ', "subframes", "[camera] subframes", "no meaning"),
     ('mode = "still" ', 'mode = still ', "still  #", "is no TOML", ""),
 )
 
