@@ -436,6 +436,8 @@ static void hostile_points_are_survived(void) {
             TEST_ASSERT_TRUE(fabs(length - 1.0) < 1e-7);
             TEST_ASSERT_TRUE((cone.sin_q30 > 0U) && (cone.sin_q30 < 1073741824U));
             TEST_ASSERT_TRUE(cone.inlier_count <= cone.point_count);
+            TEST_ASSERT_TRUE((cone.hypothesis_count >= 1U) &&
+                             (cone.hypothesis_count <= OCEL_CONE_HYPOTHESES));
             TEST_ASSERT_TRUE(cone.arc_coverage_q16 <= 65536U);
             TEST_ASSERT_TRUE((cone.cov_q60[OCEL_XX] >= 0) && (cone.cov_q60[OCEL_YY] >= 0) &&
                              (cone.cov_q60[OCEL_ZZ] >= 0));

@@ -29,6 +29,8 @@ typedef struct {
     uint32_t arc_coverage_q16; /* fraction of the outline's turn that inliers cover, <= 65536 */
     uint32_t point_count;
     uint32_t inlier_count;
+    uint32_t hypothesis_count; /* cones through three points that were voted on, <=
+                                  OCEL_CONE_HYPOTHESES; 0 of a cone from an ellipse */
 } ocel_cone_t;
 
 /* Fits the cone to boundary points, robustly: OCEL_CONE_HYPOTHESES cones through three

@@ -293,6 +293,7 @@ void ocel_cone_refine(const ocel_cone_sums_t *sums, const ocel_cone_guess_t *gue
                       ocel_cone_t *cone, ocel_cone_evidence_t *evidence) {
     (void)memcpy(cone->axis_cam_q30, guess->axis_cam_q30, sizeof(cone->axis_cam_q30));
     cone->inlier_count = sums->inlier_count;
+    cone->hypothesis_count = guess->hypothesis_count;
     evidence->outside = sums->outside;
     evidence->sectors = sectors_of(sums);
     cone->arc_coverage_q16 = evidence->sectors * (65536U / OCEL_SECTORS);

@@ -157,12 +157,13 @@ static int32_t votes_for(const ocel_cone_samples_t *s, const plane_t *plane, int
  * samples k, k + step and k + other step, the steps changing with k; the second time
  * round a sample meets the steps of its neighbour.  Of points in order along the
  * boundary the triples span an eighth to two thirds of it; of points in any order any
- * three are as good. */
-static bool elect(const ocel_cone_samples_t *samples, const ocel_cone_place_t *place,
-                  plane_t *best) {
+ * three are as good.  Returns how many of them are cones: none, and there is no best. */
+static uint32_t elect(const ocel_cone_samples_t *samples, const ocel_cone_place_t *place,
+                      plane_t *best) {
     static const uint8_t steps[8][2] = {{7U, 13U},  {5U, 12U}, {8U, 16U}, {4U, 8U},
                                         {11U, 21U}, {5U, 15U}, {3U, 10U}, {6U, 19U}};
     int32_t most = INT32_MIN;
+    uint32_t count = 0U;
 
     for (uint32_t k = 0U; k < (uint32_t)OCEL_CONE_HYPOTHESES; k++) { /* bound: 64 */
         const uint8_t *step = steps[(k + (k / SAMPLES)) % 8U];
@@ -174,13 +175,14 @@ static bool elect(const ocel_cone_samples_t *samples, const ocel_cone_place_t *p
                 votes_for(samples, &plane,
                           residual_of(rough_size_q12(&plane), place->pixel_q25, VOTE_PX_Q16));
 
+            count++;
             if (votes > most) {
                 most = votes;
                 *best = plane;
             }
         }
     }
-    return most > INT32_MIN;
+    return count;
 }
 
 /* The normal equations of the plane's correction, in 2^-10: |u|, |v| <= 3, so that
@@ -284,8 +286,10 @@ static bool cone_of(const plane_t *plane, const ocel_cone_place_t *place,
 bool ocel_cone_elect(const ocel_cone_samples_t *samples, const ocel_cone_place_t *place,
                      ocel_cone_guess_t *guess) {
     plane_t plane;
-    bool found = elect(samples, place, &plane);
+    bool found;
 
+    guess->hypothesis_count = elect(samples, place, &plane);
+    found = guess->hypothesis_count > 0U;
     if (found) {
         guess->rms_px_q16 = settle(samples, place, &plane);
         found = cone_of(&plane, place, guess);

@@ -17,6 +17,7 @@ typedef struct {
     int32_t axis_cam_q30[3];
     int64_t tan_q46;     /* of half the opening angle, 2^-20 .. 1 */
     uint32_t rms_px_q16; /* below 2 px */
+    uint32_t hypothesis_count;
 } ocel_cone_guess_t;
 
 /* False when no three of the samples determine a cone of at most 90 degrees. */
