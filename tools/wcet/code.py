@@ -13,12 +13,11 @@ from elftools.elf.elffile import ELFFile
 
 Insn = collections.namedtuple(
     "Insn", "address size name text kind conditional target registers")
-"""kind: plain, call, jump (target None: to a place that the code computes, or
-returns), it.  `registers` is how many a list loads or stores.  `returns` below."""
+"""kind: plain, call, jump (target None: to a place that the code computes, or where
+the caller said), trap (from where nothing goes on).  `registers` is how many a list
+loads or stores."""
 
 Function = collections.namedtuple("Function", "name address size insns")
-
-_RETURNS = ("bx", "pop", "ldm", "mov", "ldr")
 
 
 class Refused(Exception):
@@ -74,8 +73,8 @@ def _insn(raw):
         conditional = conditional or name != "b"
     elif name in ("bx", "tbb", "tbh") or _is_pc_load(raw, name):
         kind = "jump"
-    elif name == "it":
-        kind, conditional = "it", False
+    elif name == "udf":
+        kind = "trap"
     text = f"{raw.mnemonic} {raw.op_str}".replace(".w", "").strip()
     if conditional and kind == "jump" and name not in ("b", "cbz", "cbnz"):
         text = text.replace(raw.mnemonic, name, 1)
@@ -98,24 +97,33 @@ class Program:
         self._functions = {}
 
     def _read_symbols(self, elf):
-        self.symbols = {}       # name -> address, of functions
-        self.names = {}         # address -> one of its names
-        self._sizes = {}
-        mapping = []
+        self._sizes, mapping, found = {}, [], {}
         for symbol in elf.get_section_by_name(".symtab").iter_symbols():
             kind, value = symbol["st_info"]["type"], symbol["st_value"]
             if symbol.name[:2] in ("$t", "$d", "$a"):
                 mapping.append((value, symbol.name[1]))
             elif kind == "STT_FUNC":
                 address = value & ~1
-                self.symbols[symbol.name] = address
                 self._sizes[address] = max(symbol["st_size"], self._sizes.get(address, 0))
-                known = self.names.get(address)
-                if known is None or (known.startswith("__") and not symbol.name.startswith("__")) \
-                        or symbol["st_info"]["bind"] == "STB_GLOBAL":
-                    self.names[address] = symbol.name
+                found.setdefault(address, set()).add(
+                    (symbol["st_info"]["bind"] != "STB_GLOBAL", symbol.name))
         self._mapping = sorted(mapping)
-        self._starts = sorted(self.names)
+        self._starts = sorted(found)
+        self._name(found)
+
+    def _name(self, found):
+        """Each address has one name here, global ones first; a static function whose name
+        another one has too gets its address behind it."""
+        self.symbols = {}       # every name -> address
+        self.names = {}         # address -> its name
+        for address, symbols in sorted(found.items(), key=lambda item: (min(item[1]), item[0])):
+            local, name = min(symbols)
+            if name in self.symbols:
+                name = f"{name}.{address:x}"
+            self.names[address] = name
+            self.symbols[name] = address
+            self.symbols.update({other: address for is_local, other in symbols
+                                 if not is_local and other not in self.symbols})
 
     def size(self, address):
         """Bytes of a function; without a stated size, up to the next one."""

@@ -59,7 +59,9 @@ static uint32_t sectors_hit(const ocel_source_t *source, const rounding_t *map,
     uint32_t hit = 0U;
     size_t i;
 
-    for (i = 0U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
+    /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_end or
+     * ocel_eye_refit */
+    for (i = 0U; i < source->count; i++) {
         const ocel_pair_t p = ocel_source_px_q16(source, i);
         const int32_t dx = (int32_t)ocel_asr64(p.x - ellipse->cx_px_q16, 1U);
         const int32_t dy = (int32_t)ocel_asr64(p.y - ellipse->cy_px_q16, 1U);

@@ -51,6 +51,10 @@ static ocel_status_t moments_of(const ocel_source_t *source, ocel_moments_t *mom
         exact = ocel_moments_of_cracks(source->cracks, source->count, moments, frame);
     }
     if (!exact) {
+        /* Not in the eye, unless it is large: there the squares sum to less than 2^31. */
+        /* at most: 2 in a call of ocel_fit_points or ocel_fit_cracks;
+         * 2 * ((OCEL_MAX_CRACKS * (OCEL_MAX_WIDTH * OCEL_MAX_WIDTH +
+         * OCEL_MAX_HEIGHT * OCEL_MAX_HEIGHT)) / 536870912) in a call of ocel_eye_refit */
         status = ocel_moments_of_source(source, false, moments, frame);
     }
     return status;
@@ -108,6 +112,8 @@ static ocel_status_t fit(const ocel_source_t *source, const ocel_fit_options_t *
         /* always */
     }
     if (perturb) {
+        /* The second opinion perturbs nothing. */
+        /* at most: 1 in a call of ocel_fit_points or ocel_fit_cracks or ocel_eye_refit */
         status = perturbed(source, &solution);
     }
     if (status == OCEL_OK) {

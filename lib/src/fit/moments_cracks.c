@@ -42,7 +42,9 @@ static void sum_cracks(const ocel_crack_t *cracks, size_t count, int32_t x0, int
     uint64_t s_yyyy = 0U;
     size_t i;
 
-    for (i = 0U; i < count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
+    /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_end or
+     * ocel_eye_refit */
+    for (i = 0U; i < count; i++) {
         const int64_t x = (int64_t)cracks[i].x_hpx - x0;
         const int64_t y = (int64_t)cracks[i].y_hpx - y0;
         const int64_t xx = x * x;

@@ -50,7 +50,9 @@ static span_t span_of_source(const ocel_source_t *source) {
     span_t span = {first.x, first.x, first.y, first.y};
     size_t i;
 
-    for (i = 1U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
+    /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_end or
+     * ocel_eye_refit */
+    for (i = 1U; i < source->count; i++) {
         const ocel_pair_t p = ocel_source_px_q16(source, i);
 
         span.min_x = (p.x < span.min_x) ? p.x : span.min_x;
@@ -81,7 +83,9 @@ static int64_t shear_q20(const ocel_source_t *source, const normal_t *normal) {
     int64_t shear = 0;
     size_t i;
 
-    for (i = 0U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
+    /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_end or
+     * ocel_eye_refit */
+    for (i = 0U; i < source->count; i++) {
         const ocel_pair_t p = sheared_point(source, normal, i);
         const int64_t x = ocel_asr64(p.x, UNIT_BITS - COARSE_BITS);
 
@@ -104,7 +108,9 @@ static void fill_unit(const ocel_source_t *source, normal_t *normal) {
     uint32_t half_log2;
     size_t i;
 
-    for (i = 0U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
+    /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_end or
+     * ocel_eye_refit */
+    for (i = 0U; i < source->count; i++) {
         const int64_t y = sheared_point(source, normal, i).y;
 
         low = (y < low) ? y : low;
@@ -124,6 +130,8 @@ static ocel_pair_t framed_point(const ocel_source_t *source, const normal_t *nor
         int32_t x_q26 = (int32_t)ocel_shift_round64(p.x, PERTURB_BITS);
         int32_t y_q26 = (int32_t)ocel_shift_round64(p.y, PERTURB_BITS);
 
+        /* at most: OCEL_MAX_FIT_POINTS in a call of ocel_fit_points or ocel_fit_cracks;
+         * OCEL_MAX_CRACKS in a call of ocel_eye_refit */
         ocel_perturb_point(&x_q26, &y_q26);
         p.x = ocel_shl64(x_q26, PERTURB_BITS);
         p.y = ocel_shl64(y_q26, PERTURB_BITS);
@@ -153,6 +161,7 @@ static int64_t monomial(const int64_t *v, uint32_t k) {
         0,        0,        0,         0,         0,         0,         OCEL_M_X, OCEL_M_Y,
         OCEL_M_X, OCEL_M_Y, OCEL_M_XX, OCEL_M_XY, OCEL_M_YY, OCEL_M_XY, OCEL_M_YY};
 
+    /* at most: OCEL_M_COUNT - OCEL_M_XXX */
     return (k < LOW_COUNT) ? v[k] : ocel_mul_q60(v[left[k]], v[right[k]]);
 }
 
@@ -164,7 +173,9 @@ static void sum_source(const ocel_source_t *source, const normal_t *normal, int6
     size_t i;
 
     (void)memset(m_q60, 0, sizeof(int64_t) * (size_t)OCEL_M_COUNT);
-    for (i = 0U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
+    /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_end or
+     * ocel_eye_refit */
+    for (i = 0U; i < source->count; i++) {
         int64_t v[OCEL_M_XXX];
         uint32_t k;
 
@@ -236,7 +247,13 @@ ocel_status_t ocel_moments_of_source(const ocel_source_t *source, bool perturb,
 
         normal_of_span(&span, perturb, &normal);
         if (!perturb) {
+            /* at most: 2 in a call of ocel_fit_points or ocel_fit_cracks;
+             * 2 * ((OCEL_MAX_CRACKS * (OCEL_MAX_WIDTH * OCEL_MAX_WIDTH +
+             * OCEL_MAX_HEIGHT * OCEL_MAX_HEIGHT)) / 536870912) in a call of ocel_eye_refit */
             normal.shear_q20 = shear_q20(source, &normal);
+            /* at most: 2 in a call of ocel_fit_points or ocel_fit_cracks;
+             * 2 * ((OCEL_MAX_CRACKS * (OCEL_MAX_WIDTH * OCEL_MAX_WIDTH +
+             * OCEL_MAX_HEIGHT * OCEL_MAX_HEIGHT)) / 536870912) in a call of ocel_eye_refit */
             fill_unit(source, &normal);
         }
         sum_source(source, &normal, moments->m_q60);
