@@ -40,8 +40,8 @@ void track(const TrackArguments &arguments) {
     const std::string &out = arguments.options.out;
     const auto frames = static_cast<double>(result.frames.size());
     fmt::print("{}", track_table(result));
-    fmt::print("the loop: {:.1f} stereo frames/s on one core; the library took {:.2f} ms of the "
-               "{:.2f} ms that each takes, {:.1f} %\n",
+    fmt::print("the loop: {:.1f} stereo frames/s on one core; the library takes {:.2f} ms of the "
+               "{:.2f} ms of each, {:.1f} %\n",
                frames / result.times.loop, 1e3 * result.times.library / frames,
                1e3 * result.times.loop / frames, 100.0 * result.times.library / result.times.loop);
     fmt::print("{}/frames.csv {}/summary.json {}/pictures/{}\n", out, out, out,

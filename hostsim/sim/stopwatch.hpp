@@ -2,25 +2,25 @@
 #ifndef OCELLUS_SIM_STOPWATCH_HPP
 #define OCELLUS_SIM_STOPWATCH_HPP
 
-#include <chrono>
+#include <ctime>
 
 namespace sim {
 
-// Adds the seconds from its making to its end.
+// Adds the seconds of the processor, from its making to its end: what other programs
+// take of the machine meanwhile does not count.
 class Stopwatch {
   public:
     explicit Stopwatch(double &seconds) : seconds_(seconds) {
     }
     ~Stopwatch() {
-        seconds_ += std::chrono::duration<double>(Clock::now() - begin_).count();
+        seconds_ += static_cast<double>(std::clock() - begin_) / CLOCKS_PER_SEC;
     }
     Stopwatch(const Stopwatch &) = delete;
     Stopwatch &operator=(const Stopwatch &) = delete;
 
   private:
-    using Clock = std::chrono::steady_clock;
     double &seconds_;
-    Clock::time_point begin_ = Clock::now();
+    std::clock_t begin_ = std::clock();
 };
 
 } // namespace sim

@@ -24,13 +24,20 @@ bool is_shown(const std::vector<TrackFrame> &frames, std::size_t total) {
     return last % std::max<std::size_t>(total / kPictures, 1) == 0 || turn;
 }
 
-std::string verdict_line(const char *what, const std::string &found, const std::string &asked,
-                         bool met) {
-    return fmt::format("{:<44} {:>9}  {:<9} {}\n", what, found, asked, met ? "met" : "NOT MET");
+struct Line {
+    std::string what;
+    std::string found;
+    std::string asked; // empty: nothing is
+    bool met;
+};
+
+std::string text_of(const Line &line) {
+    const char *const verdict = line.asked.empty() ? "" : line.met ? "met" : "NOT MET";
+    return fmt::format("{:<52} {:>8}  {:<8} {}\n", line.what, line.found, line.asked, verdict);
 }
 
-std::string number_text(const nlohmann::ordered_json &object, const char *key) {
-    return object.contains(key) ? fmt::format("{:.4f}", object[key].get<double>()) : "none";
+std::string rms_text(const nlohmann::ordered_json &error) {
+    return error.contains("rms") ? fmt::format("{:.4f}", error["rms"].get<double>()) : "none";
 }
 
 } // namespace
@@ -71,21 +78,26 @@ TrackResult run_track(const TrackScenario &scenario, const TrackOptions &options
 std::string track_table(const TrackResult &result) {
     const nlohmann::ordered_json &summary = result.summary;
     const nlohmann::ordered_json &met = summary["met"];
-    return fmt::format("{:<44} {:>9}  {:<9}\n", summary["scenario"].get<std::string>(), "found",
-                       "asked") +
-           verdict_line(fmt::format("held within {} px of both middles, of {} frames",
-                                    summary["hold_px"].get<double>(),
-                                    summary["counted_frames"].get<int>())
-                            .c_str(),
-                        fmt::format("{:.1f} %", 100.0 * summary["held_share"].get<double>()),
-                        fmt::format(">= {:.0f} %", 100.0 * kHeldShare), met["held_share"]) +
-           verdict_line("error RMS while visible, SMU", number_text(summary["err_visible"], "rms"),
-                        fmt::format("<= {}", kTrackErrorRms), met["err_rms"]) +
-           verdict_line(
-               fmt::format("ok while hidden, of {} frames", summary["hidden_frames"].get<int>())
-                   .c_str(),
-               fmt::format("{}", summary["ok_while_hidden"].get<int>()), "0",
-               met["ok_while_hidden"]);
+    const auto number = [&summary](const char *key) { return summary[key].get<double>(); };
+    const Line lines[] = {
+        {fmt::format("held within {:g} px of both middles, of {} frames", number("hold_px"),
+                     number("counted_frames")),
+         fmt::format("{:.1f} %", 100.0 * number("held_share")),
+         fmt::format(">= {:g} %", 100.0 * kHeldShare), met["held_share"]},
+        {fmt::format("error RMS of {} ok frames, SMU", number("ok_frames")),
+         rms_text(summary["err"]), fmt::format("<= {:g}", kTrackErrorRms), met["err_rms"]},
+        {fmt::format("the same, of all {} visible ones, guesses too", number("visible_frames")),
+         rms_text(summary["err_visible"]), "", true},
+        {fmt::format("ok while hidden, of {} frames", number("hidden_frames")),
+         fmt::format("{}", number("ok_while_hidden")), "0", met["ok_while_hidden"]},
+        {"frames until it is taken again, at most",
+         fmt::format("{}", number("reacquired_frames_max")), "", true}};
+    std::string table =
+        fmt::format("{:<52} {:>8}  asked\n", summary["scenario"].get<std::string>(), "found");
+    for (const Line &line : lines) {
+        table += text_of(line);
+    }
+    return table;
 }
 
 } // namespace sim

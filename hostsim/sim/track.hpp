@@ -22,7 +22,7 @@ namespace sim {
 constexpr double kSettle = 0.5;         // s
 constexpr double kHoldPx = 20.0;        // of a picture 320 px wide
 constexpr double kHeldShare = 0.95;     // of the frames in which it is visible, at least
-constexpr double kTrackErrorRms = 0.02; // SMU, while visible, at most
+constexpr double kTrackErrorRms = 0.02; // SMU, in frames with status ok, at most
 
 // One pair of frames.  What does not exist is not a number.
 struct TrackFrame {
@@ -51,7 +51,7 @@ struct TrackOptions {
     bool video = false;
 };
 
-// What the clock said; not part of any file.
+// What the processor's clock said; not part of any file.
 struct TrackTimes {
     double loop = 0.0;    // s, without what only serves files and truth
     double library = 0.0; // s of it in the library
@@ -76,7 +76,8 @@ struct TrackResult {
 // summary.json: scenario, seed, frames, seconds, width, height, supersampling,
 // first_seen_s, counted_frames, held_frames, held_share, hold_px, off_px {rms, max} (of
 // counted frames), visible_frames, ok_frames, refused_frames, guessed_frames, lost_frames,
-// hidden_frames, ok_while_hidden, err {rms, max, frames}, meas_err, guess_err (the same),
+// hidden_frames, ok_while_hidden, err {frames, rms, max} (of the track in ok frames),
+// err_visible (in all visible ones, guesses included), meas_err, guess_err (the same),
 // gaps [{from_s, to_s, hidden_frames, reacquired_frames}], reacquired_frames_max,
 // asked {held_share, err_rms, ok_while_hidden} and met (the same keys, true or false).
 TrackResult run_track(const TrackScenario &scenario, const TrackOptions &options);

@@ -23,9 +23,12 @@ ocel_tracker_config_t tracker_config(const TrackerChoice &choice) {
     return config;
 }
 
+// Without the integral, which would lead the ball by as much as the track is asked for
+// ahead: that takes up an even motion already.
 ocel_gaze_config_t gaze_config(const GazeChoice &choice) {
     ocel_gaze_config_t config = ocel_gaze_paper;
     config.eye_gain_q16 = static_cast<std::int32_t>(std::lround(choice.gain * 65536.0));
+    config.eye_integral_q16 = 0;
     return config;
 }
 

@@ -203,7 +203,7 @@ void add_errors(const std::vector<TrackFrame> &frames, Json &summary) {
 }
 
 void add_verdict(Json &summary) {
-    const Json &error = summary["err_visible"];
+    const Json &error = summary["err"];
     summary["asked"] = {
         {"held_share", kHeldShare}, {"err_rms", kTrackErrorRms}, {"ok_while_hidden", 0}};
     summary["met"] = {{"held_share", summary["held_share"] >= kHeldShare},
