@@ -90,13 +90,26 @@ linked() { # NAME FLAGS CALLS...: bytes of text of a program that calls these
     echo $(($(arm-none-eabi-size "$work/firmware.elf" | awk 'NR > 1 { print $1 }') -
         $(arm-none-eabi-size "$work/firmware_main.out" | awk 'NR > 1 { print $1 }')))
 }
-linked_row() { # TITLE CALLS...: one row of the table; sets linked_O2
+linked_row() { # TITLE CALLS...: one row of the table; sets linked_O2 and linked_Os
     local title="$1"
     shift
-    linked_O2="$(linked m4_O2 "$m4 -O2" "$@")"
-    echo "| $title | $linked_O2 | $(linked m4_Os "$m4 -Os" "$@") |" \
-        "$(linked m0_Os "$m0 -Os" "$@") |"
+    linked_O2="$(linked m4_O2 "$m4 -O2" "$@")" linked_Os="$(linked m4_Os "$m4 -Os" "$@")"
+    echo "| $title | $linked_O2 | $linked_Os | $(linked m0_Os "$m0 -Os" "$@") |"
 }
+beside() { # VALUE ASKED: both cells of a row
+    local mark=""
+    [ "$1" -le "$2" ] || mark=", not reached"
+    echo "$1$mark | $2"
+}
+asked=() # rows: what was asked for, beside what there is
+asked_row() { # TITLE O2 OS: of the row that linked_row has just made
+    asked+=("| $1 | $(beside "$linked_O2" "$2") | $(beside "$linked_Os" "$3") |")
+}
+
+# What a firmware calls after the eye.
+sphere=(ocel_camera_init ocel_eye_cone ocel_sphere_of_cone)
+robot=(ocel_head_forward ocel_stereo_ball ocel_tracker_init ocel_tracker_update ocel_tracker_roi
+    ocel_gaze_init ocel_gaze_error ocel_gaze_update)
 
 # Every function that a public header declares.
 python3 tools/stack.py --public lib/include --limit $limit_stack "$work"/m4_O2/*.ci >"$work/stack" || failed=1
@@ -128,16 +141,28 @@ limit ".data and .bss together" $(($(column m4_O2 "" 2) + $(column m4_O2 "" 3)))
     echo "| a program that calls | cortex-m4 -O2 | cortex-m4 -Os | cortex-m0 -Os |"
     echo "|---|--:|--:|--:|"
     linked_row "the eye, on binary rows" ocel_eye_init ocel_eye_begin ocel_eye_row ocel_eye_end
+    asked_row "the eye alone, on binary rows" 14336 10240
     linked_row "the eye, on RGB565 lines by a const table (limit $limit_code)" \
         ocel_eye_init ocel_eye_begin ocel_colour_table_row ocel_eye_row ocel_eye_end
     code="$linked_O2"
     linked_row "the eye, on camera lines of any format" \
         ocel_eye_init ocel_colour_compile ocel_eye_frame
+    linked_row "the same, and on to the ball in its camera: cone and sphere" \
+        ocel_eye_init ocel_colour_compile ocel_eye_frame "${sphere[@]}"
+    linked_row "the same, and head, stereo, tracker and gaze: all there is for one method" \
+        ocel_eye_init ocel_colour_compile ocel_eye_frame "${sphere[@]}" "${robot[@]}"
+    asked_row "the whole library, by one method" 28672 20480
     linked_row "the labeller alone" ocel_label_begin ocel_label_row ocel_label_end
     linked_row "\`ocel_fit_boundary\` alone" ocel_fit_boundary
     linked_row "\`ocel_fit_points\` alone, every method" ocel_fit_points
     mapfile -t public < <(cut -d" " -f1 "$work/stack")
     linked_row "every public function" "${public[@]}"
+    echo
+    echo "Of it, beside what was asked of cortex-m4 (14 and 28 KB at -O2, 10 and 20 KB at -Os):"
+    echo
+    echo "| | -O2 | asked | -Os | asked |"
+    echo "|---|--:|--:|--:|--:|"
+    printf '%s\n' "${asked[@]}"
     echo
     echo "Memory that the caller owns, bytes on a 32-bit machine under the default limits:"
     echo
