@@ -8,6 +8,8 @@
 
 namespace sim {
 
+void add_paper(CLI::App &app);
+void add_report(CLI::App &app);
 void add_run(CLI::App &app);
 void add_track(CLI::App &app);
 

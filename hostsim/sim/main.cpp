@@ -26,6 +26,8 @@ int run(int argc, char **argv) {
     app.require_subcommand(1);
     sim::add_run(app);
     sim::add_track(app);
+    sim::add_paper(app);
+    sim::add_report(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success &wanted) { // --help, --version

@@ -58,6 +58,7 @@ class Group {
         ++trials_;
         ok_ += record.status == OCEL_OK ? 1 : 0;
         success_ += record.success ? 1 : 0;
+        ok_but_wrong_ += record.status == OCEL_OK && !record.success ? 1 : 0;
         for (std::size_t i = 0; i < std::size(kMembers); ++i) {
             samples_[i].add(record.*kMembers[i].member);
         }
@@ -68,7 +69,10 @@ class Group {
     }
 
     Json json() const {
-        Json object{{"trials", trials_}, {"ok", ok_}, {"success", success_}};
+        Json object{{"trials", trials_},
+                    {"ok", ok_},
+                    {"success", success_},
+                    {"ok_but_wrong", ok_but_wrong_}};
         for (std::size_t i = 0; i < std::size(kMembers); ++i) {
             if (!samples_[i].empty()) {
                 object[kMembers[i].name] = samples_[i].json();
@@ -111,6 +115,7 @@ class Group {
     int trials_ = 0;
     int ok_ = 0;
     int success_ = 0;
+    int ok_but_wrong_ = 0;
     int least_votes_ = 0;
     Samples samples_[std::size(kMembers)];
     Samples error_x_;

@@ -8,20 +8,9 @@
 #include <string>
 
 #include "results.hpp"
+#include "sweep_choice.hpp"
 
 namespace sim {
-
-// How much, from which seed, over how many processes.
-struct SweepChoice {
-    int trials = 0; // at each point; 0: as the scenario says
-    std::uint64_t seed = 1;
-    int jobs = 1;
-    std::string record_dir; // as RunOptions'; only `run` offers it
-
-    int trials_of(const Scenario &scenario) const {
-        return trials > 0 ? trials : scenario.trials;
-    }
-};
 
 // --trials, --seed and --jobs.
 void add_sweep_options(CLI::App &command, SweepChoice &choice);
