@@ -92,6 +92,7 @@ static ocel_status_t poses(const ocel_head_model_t *model, const int32_t *joints
     ocel_status_t status = OCEL_NULL_ARGUMENT;
 
     if (X_root_eye != NULL) {
+        /* bytes: OCEL_EYE_COUNT * sizeof(ocel_pose_t) */
         (void)memset(X_root_eye, 0, count * sizeof(*X_root_eye));
         if ((model != NULL) && (joints_q32 != NULL)) {
             status = (model->link_count > (uint32_t)OCEL_MAX_HEAD_LINKS) ? OCEL_BAD_OPTION
