@@ -99,7 +99,6 @@ std::string curve_command(std::size_t index, const Curve &curve) {
                        curve.title.empty() ? "notitle" : "title " + quoted_text(curve.title));
 }
 
-// As the last line of the legend stands for what is shaded.
 std::string shaded_commands(const Plot &plot) {
     std::string text;
     for (const PlotSpan &span : plot.shaded) {
@@ -110,14 +109,16 @@ std::string shaded_commands(const Plot &plot) {
     return text;
 }
 
-std::string level_commands(const Plot &plot) {
+// Further curves of the plot command; the legend's last lines.
+std::string level_and_shade_curves(const Plot &plot) {
     std::string text;
     for (const Level &level : plot.levels) {
-        text += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back "
-                            "lc rgb '#444444' lw 1.2 dt (3,3)\n"
-                            "set label {1} at graph 0.99, first {0} right offset 0,0.5 "
-                            "tc rgb '#444444' front\n",
+        text += fmt::format(", \\\n     {} with lines lc rgb '#444444' lw 1.3 dt (2,4) title {}",
                             number(level.y), quoted_text(level.words));
+    }
+    if (!plot.shaded.empty()) {
+        text += fmt::format(", \\\n     NaN with boxes fillstyle solid lc rgb '#d9d9d9' title {}",
+                            quoted_text(plot.shaded_words));
     }
     return text;
 }
@@ -130,11 +131,7 @@ std::string script_of(const Plot &plot) {
         blocks += data_block(i, plot.curves[i], shifts[i]);
         commands += (i == 0 ? "plot " : ", \\\n     ") + curve_command(i, plot.curves[i]);
     }
-    if (!plot.shaded.empty()) {
-        commands += fmt::format(", \\\n     NaN with boxes fillstyle solid lc rgb '#d9d9d9' "
-                                "title {}",
-                                quoted_text(plot.shaded_words));
-    }
+    commands += level_and_shade_curves(plot);
     return fmt::format("set terminal svg size {},{} dynamic noenhanced name '{}' "
                        "font 'sans-serif,14' background '#ffffff'\n",
                        kWidth, kHeight, plot.name) +
@@ -145,8 +142,8 @@ std::string script_of(const Plot &plot) {
            "set grid lc rgb '#e0e0e0' lw 0.7\n"
            "set bars 0.6\n" +
            "set xlabel " + quoted_text(plot.x_label) + "\nset ylabel " + quoted_text(plot.y_label) +
-           "\n" + (plot.log_y ? "set logscale y\n" : "") + range("x", plot.x_range) +
-           range("y", plot.y_range) + shaded_commands(plot) + level_commands(plot) + blocks +
+           "\n" + (plot.log_y ? "set logscale y\nset format y '%g'\n" : "") +
+           range("x", plot.x_range) + range("y", plot.y_range) + shaded_commands(plot) + blocks +
            commands + "\n";
 }
 

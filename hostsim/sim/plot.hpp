@@ -43,7 +43,7 @@ struct PlotSpan {
     double to;
 };
 
-// A level to compare with, a dashed line with words.
+// A level to compare with, a dotted line; words for the legend.
 struct Level {
     double y;
     std::string words;

@@ -18,6 +18,12 @@ constexpr double kSphereRadiusPct = 0.5;  // b, sphere: means at every point
 constexpr double kDebiasedError = 0.004;  // a, b2ac and lcse, mean after removal
 constexpr double kFramesPerSecond = 25.0; // the whole loop on one core
 
+// Whether the figures of a run of the closed loop are asked for, and reached: held in
+// both images' middles, and placed in space, in all frames in which any of it is visible.
+bool is_asked(const TrackRun &track);
+bool holds(const TrackRun &track);
+bool places(const TrackRun &track);
+
 struct Claim {
     std::string what;
     std::string asked;

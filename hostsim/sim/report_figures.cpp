@@ -45,6 +45,10 @@ std::string written_percent(double value) {
     return std::isfinite(value) ? fmt::format("{:+.2f}", value) : "–";
 }
 
+std::string written_unsigned(double value) {
+    return plain(value, 2);
+}
+
 // A picture of the run: both eyes, outlines, errors.
 std::string sample_picture(const SweepResult &sweep, std::size_t point) {
     return picture_figure(
@@ -59,8 +63,7 @@ std::string cylinder_html(const SweepResult &sweep) {
     const Measure removed{sweep, "err_debiased", 1.0};
     Plot removed_plot = error_plot(removed, "fig6a_removed",
                                    "Error of the disc's position over distance, bias removed");
-    removed_plot.levels.push_back(
-        {kDebiasedError, fmt::format("asked of the mean of b2ac and lcse: {}", kDebiasedError)});
+    removed_plot.levels.push_back({kDebiasedError, fmt::format("asked: {}", kDebiasedError)});
     return paragraph("A disc of negligible thickness, its face to the robot, moves away along x; "
                      "the eyes turn until it is in their middle. " +
                      trials_words(sweep)) +
@@ -134,23 +137,28 @@ std::string occlusion_html(const SweepResult &sweep) {
                               "Error of the ball's radius over occlusion, with the depth found"),
                   "<b>Fig. 6(b), with the depth that the method itself finds</b>, as the paper's "
                   "robot must: the error of the depth comes on top.") +
-           measure_table(with_found, "mean",
-                         "Mean error of the radius, %, with the depth found, at each occlusion (%)",
-                         written_percent) +
+           folded("The same in numbers",
+                  measure_table(with_found, "mean",
+                                "Mean error of the radius, %, with the depth found, at each "
+                                "occlusion (%)",
+                                written_percent)) +
            figure(radius_rms_plot(with_found, "fig6b_rms",
                                   "RMS error of the radius, sphere beside Hough"),
                   "<b>Beside the Hough transform</b>, RMS with the depth found: a mean near "
                   "nothing hides how far Hough's circles scatter. <code>hough_alt</code> ends "
                   "where it finds no circle any more.") +
-           measure_table(with_found, "rms", "RMS error of the radius, %, with the depth found",
-                         written_percent) +
-           measure_table(with_true, "rms", "RMS error of the radius, %, with the true depth",
-                         written_percent);
+           folded("RMS in numbers, all methods",
+                  measure_table(with_found, "rms",
+                                "RMS error of the radius, %, with the depth found",
+                                written_unsigned) +
+                      measure_table(with_true, "rms",
+                                    "RMS error of the radius, %, with the true depth",
+                                    written_unsigned));
 }
 
 std::string trend_words(const SweepResult &sweep, const std::string &method) {
     return fmt::format("<code>{}</code> {}·exp({} d)", method,
-                       plain(std::exp(sweep.trend(method, "trend_log_err", "a")), 5),
+                       brief(std::exp(sweep.trend(method, "trend_log_err", "a"))),
                        plain(sweep.trend(method, "trend_log_err", "b"), 2));
 }
 
@@ -163,12 +171,12 @@ std::string squares_table(const SweepResult &sweep) {
     for (const std::string &method : sweep.methods()) {
         std::vector<std::string> cells{method};
         for (std::size_t i = 0; i < sweep.points().size(); ++i) {
-            cells.push_back(smu(sweep.at(method, i, "err_sq_pct")));
+            cells.push_back(brief(sweep.at(method, i, "err_sq_pct")));
         }
-        cells.push_back(smu(sweep.all(method, "err_sq_pct")));
+        cells.push_back(brief(sweep.all(method, "err_sq_pct")));
         table.add(cells);
     }
-    return table.html();
+    return folded("The paper's unit, 100 e²", table.html());
 }
 
 // The encoders' reading, and what the images add to it.
@@ -197,9 +205,11 @@ std::string readings_html(const SweepResult &fixated) {
                      "size as well).") +
            figure(plot, "<b>The readings</b> (<code>c_fixated</code>). Once the images' residual "
                         "is used, the encoders are not what limits the result.") +
-           measure_table(encoder, "mean", "encoder, mean error, SMU", written_smu) +
-           measure_table(residual, "mean", "encoder+residual, mean error, SMU", written_smu) +
-           measure_table(exact, "mean", "exact, mean error, SMU", written_smu);
+           folded("The readings in numbers",
+                  measure_table(encoder, "mean", "encoder, mean error, SMU", written_smu) +
+                      measure_table(residual, "mean", "encoder+residual, mean error, SMU",
+                                    written_smu) +
+                      measure_table(exact, "mean", "exact, mean error, SMU", written_smu));
 }
 
 std::string distance_html(const ReportData &data, const SweepResult &sweep) {
@@ -208,7 +218,7 @@ std::string distance_html(const ReportData &data, const SweepResult &sweep) {
     for (const char *const method : {"hough_gradient", "b2ac", "sphere"}) {
         plot.curves.push_back(error_trend_curve(measure, method));
     }
-    plot.levels.push_back({kSphereError, fmt::format("asked of sphere's mean: {}", kSphereError)});
+    plot.levels.push_back({kSphereError, fmt::format("asked: {}", kSphereError)});
     const SweepResult *const fixated = data.sweep("c_fixated");
     return paragraph("A ball moves away from a head that keeps still. " + trials_words(sweep) +
                      fmt::format(" A choice of ours: the eyes rest on a place {} SMU straight "
@@ -223,10 +233,11 @@ std::string distance_html(const ReportData &data, const SweepResult &sweep) {
                             " SMU. " + kBars) +
            measure_table(measure, "mean", "Mean error, SMU, at each distance (SMU)", written_smu) +
            squares_table(sweep) +
-           measure_table({sweep, "err_residual", 1.0}, "mean",
-                         "encoder+residual, mean error, SMU (the encoders alone say where the "
-                         "eyes rest, not where the ball is)",
-                         written_smu) +
+           folded("By the encoders and the images' residual",
+                  measure_table({sweep, "err_residual", 1.0}, "mean",
+                                "encoder+residual, mean error, SMU (the encoders alone say where "
+                                "the eyes rest, not where the ball is)",
+                                written_smu)) +
            (fixated != nullptr ? readings_html(*fixated) : absent(data, "c_fixated"));
 }
 

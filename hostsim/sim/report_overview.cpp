@@ -13,7 +13,7 @@ namespace {
 
 std::string claims_table(const std::vector<Claim> &claims) {
     Table table("claims", "What the simulation must show, decided from this folder's data",
-                {"what", "asked", "found", ""});
+                {"what", "asked", "found", ""}, {"", "words", "words", ""});
     for (const Claim &claim : claims) {
         table.add({claim.what, claim.asked, claim.found, claim.reached ? "reached" : "not reached"},
                   {"", "words", "words", claim.reached ? "good" : "bad"});
@@ -53,8 +53,8 @@ std::string missing_list(const ReportData &data) {
 }
 
 std::string method_table() {
-    Table table("methods", "The methods, side by side on the same frames",
-                {"method", "what it is"});
+    Table table("methods", "The methods, side by side on the same frames", {"method", "what it is"},
+                {"", "words"});
     for (const char *const method : {"hough_gradient", "hough_alt", "b2ac_strict", "b2ac", "lcse",
                                      "edfe", "edfe_200", "hyper", "sphere"}) {
         table.add({method, about_method(method)}, {"", "words"});
@@ -110,7 +110,7 @@ Section setting_section(const ReportData &data) {
 }
 
 Section files_section(const ReportData &data) {
-    Table table("files", "What lies beside this page", {"file", "what"});
+    Table table("files", "What lies beside this page", {"file", "what"}, {"", "words"});
     for (const auto &[name, sweep] : data.sweeps) {
         table.add({fmt::format("<a href=\"{0}/trials.csv\">{0}/trials.csv</a>", name),
                    fmt::format("a row for each trial and method; <a "

@@ -50,9 +50,12 @@ th, td { padding: .28rem .6rem; border-bottom: 1px solid var(--line); text-align
   vertical-align: top; }
 thead th { border-bottom: 2px solid #9aa7b1; color: #333d45; }
 tbody th, thead th:first-child { text-align: left; font-weight: 600; white-space: nowrap; }
-td.words { text-align: left; min-width: 12rem; }
-table.prose th { white-space: normal; }
-table.prose { font-size: .94rem; width: 100%; }
+th.words, td.words { text-align: left; }
+td.words { min-width: 12rem; }
+h3 code { font-weight: inherit; font-size: .95em; }
+details { margin: 1rem 0; }
+summary { cursor: pointer; color: var(--accent); }
+td.good, td.bad { white-space: nowrap; }
 td.good { background: var(--good-wash); color: var(--good); font-weight: 600; }
 td.bad { background: var(--bad-wash); color: var(--bad); font-weight: 600; }
 td.none { color: #8a949c; }
@@ -132,6 +135,10 @@ std::string notice(const std::string &html) {
     return "<div class=\"notice\">" + html + "</div>\n";
 }
 
+std::string folded(const std::string &line, const std::string &html) {
+    return "<details><summary>" + line + "</summary>\n" + html + "</details>\n";
+}
+
 std::string figure(const Plot &plot, const std::string &caption) {
     return fmt::format("<figure id=\"{}\">\n{}\n<figcaption>{}</figcaption>\n</figure>\n",
                        plot.name, plot_svg(plot), caption);
@@ -150,12 +157,12 @@ std::string picture_figure(const std::string &path, const std::string &caption) 
 }
 
 Table::Table(const std::string &key, const std::string &caption,
-             const std::vector<std::string> &head)
+             const std::vector<std::string> &head, const std::vector<std::string> &head_classes)
     : html_(fmt::format("<div class=\"wide\"><table data-key=\"{}\">\n<caption>{}</caption>\n"
                         "<thead><tr>",
                         key, caption)) {
-    for (const std::string &name : head) {
-        html_ += cell("th", name, "");
+    for (std::size_t i = 0; i < head.size(); ++i) {
+        html_ += cell("th", head[i], i < head_classes.size() ? head_classes[i] : "");
     }
     html_ += "</tr></thead>\n<tbody>\n";
 }

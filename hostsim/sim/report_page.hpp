@@ -21,6 +21,9 @@ std::string heading(const std::string &html);
 // A box for what the reader must not overlook.
 std::string notice(const std::string &html);
 
+// What only some will want to see, behind a line to click on.
+std::string folded(const std::string &line, const std::string &html);
+
 // `caption` says what is seen and what to see in it.
 std::string figure(const Plot &plot, const std::string &caption);
 
@@ -28,9 +31,11 @@ std::string figure(const Plot &plot, const std::string &caption);
 std::string picture_figure(const std::string &path, const std::string &caption);
 
 // A table whose first column and first row are heads.  `key` tells programs what it is.
+// Numbers stand to the right, cells of the class `words` to the left.
 class Table {
   public:
-    Table(const std::string &key, const std::string &caption, const std::vector<std::string> &head);
+    Table(const std::string &key, const std::string &caption, const std::vector<std::string> &head,
+          const std::vector<std::string> &head_classes = {});
 
     // The first cell is the row's head.  `classes`, if any, are one a cell.
     void add(const std::vector<std::string> &cells, const std::vector<std::string> &classes = {});

@@ -58,6 +58,10 @@ std::string smu(double value) {
     return plain(value, 4);
 }
 
+std::string brief(double value) {
+    return std::isfinite(value) ? fmt::format("{:.2g}", value) : "–";
+}
+
 std::string percent(double value) {
     return std::isfinite(value) ? fmt::format("{:+.2f} %", value) : "–";
 }

@@ -14,6 +14,7 @@ namespace sim {
 // What does not exist is a dash.
 std::string smu(double value);     // 4 decimals
 std::string percent(double value); // signed, 2 decimals, with its sign
+std::string brief(double value);   // 2 digits that count
 std::string plain(double value, int decimals);
 
 Ink ink_of_method(const std::string &method);

@@ -55,7 +55,10 @@ Plot votes_plot(const Table3 &table3) {
     plot.about = std::string("The largest threshold that works over ") + table3.what;
     plot.x_label = table3.axis;
     plot.y_label = "param2, whole votes";
-    plot.y_range = PlotSpan{0, NAN};
+    plot.y_range = PlotSpan{0.0, NAN};
+    const double first = table3.rows.front().at("at").get<double>() * table3.x_scale;
+    const double last = table3.rows.back().at("at").get<double>() * table3.x_scale;
+    plot.x_range = PlotSpan{first - 0.03 * (last - first), last + 0.03 * (last - first)};
     Curve all{"in all trials", {"#0072B2", 5}, Stroke::kMarks, {}};
     Curve most{"in nine of ten", {"#56B4E9", 4}, Stroke::kMarks, {}};
     for (const Json &row : table3.rows) {
@@ -119,9 +122,23 @@ std::string share_table(const SweepResult &sweep, const std::string &key,
     return table.html();
 }
 
+bool fails_at_all(const SweepResult &sweep) {
+    for (const std::string &method : sweep.methods()) {
+        if (sweep.all(method, "success") < sweep.all(method, "trials")) {
+            return true;
+        }
+    }
+    return false;
+}
+
 std::string failures_html(const SweepResult &sweep, const std::string &title) {
     const std::string where =
         sweep.name() == "b_occlusion" ? "at each occlusion (%)" : "at each distance (SMU)";
+    if (!fails_at_all(sweep)) {
+        return heading(title) +
+               paragraph(fmt::format("No method failed in any of the {:.0f} trials.",
+                                     sweep.all(sweep.methods()[0], "trials")));
+    }
     return heading(title) +
            share_table(sweep, "failed", "Trials without success, % of all, " + where,
                        [](double trials, double success, double) { return trials - success; }) +

@@ -68,12 +68,12 @@ std::string occluder_html(const SweepResult &b) {
         "Why the radius shrinks in a straight line (b)",
         fmt::format(
             "A fit of everything on the boundary takes the occluder's edge for the ball's. The "
-            "chord grows with the hidden share, and so does the error: <code>b2ac</code> loses {} "
-            "for each tenth that is hidden (r² {}), {} at {:.0f} %. The library knows: it calls "
-            "such a boundary <code>partial</code>. The Hough transform votes, so the chord loses: "
-            "{} in the mean at {:.0f} %, but {} % RMS, as its centres are whole pixels. "
-            "<code>sphere</code> tries circles through three points, keeps the one most points "
-            "agree with and fits those alone: {} in the mean, {} % RMS.",
+            "chord grows with the hidden share, and so does the error: <code>b2ac</code> changes "
+            "by {} for each tenth that is hidden (r² {}), {} at {:.0f} %. The library knows: it "
+            "calls such a boundary <code>partial</code>. The Hough transform votes, so the chord "
+            "loses: {} in the mean at {:.0f} %, but {} % RMS, as its centres are whole pixels. "
+            "<code>sphere</code> tries cones through three points, keeps the one most points agree "
+            "with and fits those alone: {} in the mean, {} % RMS.",
             percent(b.trend("b2ac", "trend_radius_pct", "b") / 10.0),
             plain(b.trend("b2ac", "trend_radius_pct", "r2"), 3),
             percent(b.at("b2ac", last, column, "mean")), 100.0 * b.points()[last],
@@ -89,15 +89,15 @@ std::string disc_html(const SweepResult &a) {
     const auto closed_form = [&](std::size_t i) { return radius * radius / a.points()[i]; };
     return item(
         "The disc that isolates perspective has a bias of its own (a)",
-        fmt::format(
-            "Both eyes see the disc at a slant, from opposite sides; the middles of the two "
-            "outlines are images of places behind it, and the rays through them meet r²/d too far. "
-            "Closed form: {} SMU at d = {} and {} at {}. Measured, the mean of x (found − true) of "
-            "<code>b2ac</code>: {} and {}. Over all distances its error falls from {} to {} SMU in "
-            "the mean when the bias is taken off.",
-            smu(closed_form(0)), a.points().front(), smu(closed_form(last)), a.points().back(),
-            smu(a.at("b2ac", 0, "err_x", "mean")), smu(a.at("b2ac", last, "err_x", "mean")),
-            smu(a.all("b2ac", "err", "mean")), smu(a.all("b2ac", "err_debiased", "mean"))));
+        fmt::format("Both eyes see the disc at a slant, from opposite sides; the middles of the "
+                    "two outlines are images of places behind it, and the rays through them meet "
+                    "r²/d too far. Closed form: {} SMU at d = {} and {} at {}. Measured, the mean "
+                    "of x (found − true) of <code>b2ac</code>: {} and {}. Over all distances its "
+                    "error falls from {} to {} SMU in the mean when the bias is taken off.",
+                    smu(closed_form(0)), a.points().front(), smu(closed_form(last)),
+                    a.points().back(), smu(a.at("b2ac", 0, "err_x", "mean")),
+                    smu(a.at("b2ac", last, "err_x", "mean")), smu(a.all("b2ac", "err", "mean")),
+                    smu(a.all("b2ac", "err_debiased", "mean"))));
 }
 
 std::string perspective_html(const SweepResult &c) {
@@ -123,10 +123,9 @@ std::string same_fit_html(const SweepResult &c) {
         fmt::format(
             "The paper found their trend lines “superimposed”. They are one fit: LCSE perturbs the "
             "points only where the solution is unstable, and the boundary of a mask never is. The "
-            "largest difference of their means in (c) is {:.1e} SMU. The instability itself "
-            "belongs "
-            "to the textbook's 6×6 form on <i>exact</i> points; on pixels <code>b2ac_strict</code> "
-            "found the ball in {:.0f} of {:.0f} trials.",
+            "largest difference of their means in (c) is {:.2g} SMU. The instability itself "
+            "belongs to the textbook's 6×6 form on <i>exact</i> points; on pixels "
+            "<code>b2ac_strict</code> found the ball in {:.0f} of {:.0f} trials.",
             largest_difference(c, "b2ac", "lcse", "err"), c.all("b2ac_strict", "success"),
             c.all("b2ac_strict", "trials")));
 }
@@ -136,14 +135,15 @@ std::string eq14_html(const SweepResult &fixated) {
         "Eq. 14 reads joints, and only straight ahead is it right",
         fmt::format(
             "The equation's tan⁻¹ is 1/tan, and its angle is one eye's, half the vergence. It is "
-            "exact at version 0; turned aside by 10°, 20° and 30° it is {}, {} and {} too far, "
-            "and times the cosine of the version it is right. It also waits until the eyes have "
-            "settled: fixated to within half a pixel, the joints alone are {} SMU off in the mean, "
+            "exact at version 0; turned aside by 10°, 20° and 30° it is {}, {} and {} too far, and "
+            "times the cosine of the version it is right. It also waits until the eyes have "
+            "settled: fixated to within {} px, the joints alone are {} SMU off in the mean, "
             "against {} for <code>b2ac</code> with the residual of the images and {} for "
             "<code>sphere</code>. That the paper's three curves look alike in places is this: a "
             "part of each is the encoders' reading, which no fit can change.",
             percent(eq14_excess_pct(10)), percent(eq14_excess_pct(20)),
-            percent(eq14_excess_pct(30)), smu(fixated.all("b2ac", "err_encoder", "mean")),
+            percent(eq14_excess_pct(30)), fixated.setting("tolerance"),
+            smu(fixated.all("b2ac", "err_encoder", "mean")),
             smu(fixated.all("b2ac", "err_residual", "mean")),
             smu(fixated.all("sphere", "err", "mean"))));
 }
@@ -157,7 +157,7 @@ std::string rounding_html(const Json &thresholds) {
             pictures += row.at("pictures").get<int>();
             alike += row.at("rounded_alike").get<int>();
         }
-        scales += fmt::format("{}{} over {}", scales.empty() ? "" : " and ",
+        scales += fmt::format("{}{} times theirs over {}", scales.empty() ? "" : " and ",
                               plain(scale_of(table3), 1), table3.what);
     }
     return item(
@@ -166,8 +166,8 @@ std::string rounding_html(const Json &thresholds) {
             "OpenCV rounds the accumulator's threshold to whole votes. In {} of {} pictures here a "
             "threshold .4 above and one .4 below a whole number found exactly the circle of that "
             "number: the paper's 2.1 and 2 are one threshold, as are 2.6 and 3. Its numbers are "
-            "also in a unit of their own: ours are {} times theirs. What holds is the fall: fewer "
-            "boundary pixels, fewer votes. Votes / 2πr is the number to compare.",
+            "also in a unit of their own: ours are {}. What holds is the fall: fewer boundary "
+            "pixels, fewer votes. Votes / 2πr is the number to compare.",
             alike, pictures, scales));
 }
 
@@ -177,19 +177,18 @@ std::string stretched_html(const SweepResult &stretched, const SweepResult &squa
     };
     return item(
         "The stretched camera",
-        fmt::format(
-            "Until September 2010 the iCub simulator divided 320 by 240 in whole numbers, so that "
-            "its eyes' pixels were {} times as high as wide and every ball an ellipse. The Hough "
-            "transform looks for circles: through that camera it succeeds in {:.0f} of {:.0f} "
-            "trials and is {} SMU off, against {} with square pixels. An ellipse fit does not "
-            "mind: <code>b2ac</code> {} against {}, <code>sphere</code>, told the focal lengths, "
-            "{} against {}. Which camera the paper had decides how far behind its Hough curve "
-            "lies.",
-            plain(stretched.setting("fx") / stretched.setting("fy"), 2),
-            stretched.all("hough_gradient", "success"), stretched.all("hough_gradient", "trials"),
-            words(stretched, "hough_gradient"), words(square, "hough_gradient"),
-            words(stretched, "b2ac"), words(square, "b2ac"), words(stretched, "sphere"),
-            words(square, "sphere")));
+        fmt::format("Until September 2010 the iCub simulator divided 320 by 240 in whole numbers, "
+                    "so that its eyes' pixels were {} times as high as wide and every ball an "
+                    "ellipse. The Hough transform looks for circles: through that camera it "
+                    "succeeds in {:.0f} of {:.0f} trials and is {} SMU off, against {} with square "
+                    "pixels. An ellipse fit does not mind: <code>b2ac</code> {} against {}, "
+                    "<code>sphere</code>, told the focal lengths, {} against {}. Which camera the "
+                    "paper had decides how far behind its Hough curve lies.",
+                    plain(stretched.setting("fx") / stretched.setting("fy"), 2),
+                    stretched.all("hough_gradient", "success"),
+                    stretched.all("hough_gradient", "trials"), words(stretched, "hough_gradient"),
+                    words(square, "hough_gradient"), words(stretched, "b2ac"),
+                    words(square, "b2ac"), words(stretched, "sphere"), words(square, "sphere")));
 }
 
 std::string units_html(const SweepResult &c) {
@@ -201,8 +200,8 @@ std::string units_html(const SweepResult &c) {
             "square error”, 100 e²: over all distances {} for <code>hough_gradient</code>, {} for "
             "<code>b2ac</code>, {} for <code>sphere</code>, which are {}, {} and {} SMU RMS. "
             "Squaring widens the gaps.",
-            smu(c.all("hough_gradient", "err_sq_pct")), smu(c.all("b2ac", "err_sq_pct")),
-            smu(c.all("sphere", "err_sq_pct")), smu(c.all("hough_gradient", "err", "rms")),
+            brief(c.all("hough_gradient", "err_sq_pct")), brief(c.all("b2ac", "err_sq_pct")),
+            brief(c.all("sphere", "err_sq_pct")), smu(c.all("hough_gradient", "err", "rms")),
             smu(c.all("b2ac", "err", "rms")), smu(c.all("sphere", "err", "rms"))));
 }
 
@@ -214,9 +213,8 @@ Section why_section(const ReportData &data) {
     const SweepResult *const c = data.sweep("c_distance");
     const SweepResult *const fixated = data.sweep("c_fixated");
     const SweepResult *const stretched = data.sweep("c_stretched");
-    std::string html =
-        paragraph("Each explanation stands on figures of this run. What needs a part of the run "
-                  "that is not here is left out.");
+    std::string html = paragraph("Each explanation stands on figures of this run. What needs a "
+                                 "part of the run that is not here is left out.");
     html += b != nullptr ? boundary_html(*b) + occluder_html(*b) : "";
     html += a != nullptr ? disc_html(*a) : "";
     html += c != nullptr ? perspective_html(*c) + same_fit_html(*c) : "";

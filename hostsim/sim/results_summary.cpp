@@ -193,6 +193,8 @@ Json setting_json(const Scenario &scenario) {
             {"jitter", scenario.jitter},
             {"fixated", scenario.gaze == Gaze::kFixate},
             {"focus", scenario.gaze == Gaze::kStill ? Json(scenario.focus) : Json(nullptr)},
+            {"tolerance",
+             scenario.gaze == Gaze::kFixate ? Json(scenario.gaze_tolerance) : Json(nullptr)},
             {"distance",
              scenario.varied == Varied::kDistance ? Json(nullptr) : Json(scenario.distance)},
             {"fx", rounded(camera.fx)},
