@@ -6,21 +6,26 @@
 
 namespace sim {
 
-// Adds the seconds of the processor, from its making to its end: what other programs
-// take of the machine meanwhile does not count.
+// Adds the seconds that this thread has of a core, from its making to its end: what
+// other programs, and a video's encoder, take of the machine meanwhile does not count.
 class Stopwatch {
   public:
     explicit Stopwatch(double &seconds) : seconds_(seconds) {
     }
     ~Stopwatch() {
-        seconds_ += static_cast<double>(std::clock() - begin_) / CLOCKS_PER_SEC;
+        seconds_ += now() - begin_;
     }
     Stopwatch(const Stopwatch &) = delete;
     Stopwatch &operator=(const Stopwatch &) = delete;
 
   private:
+    static double now() {
+        timespec time{};
+        ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
     double &seconds_;
-    std::clock_t begin_ = std::clock();
+    double begin_ = now();
 };
 
 } // namespace sim

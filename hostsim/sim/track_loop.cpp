@@ -23,6 +23,10 @@ int exposure_step(int frame) {
     return frame * kStepsPerSecond / static_cast<int>(kTrackRate);
 }
 
+int whole_steps(double seconds) {
+    return static_cast<int>(std::lround(seconds * kStepsPerSecond));
+}
+
 std::uint64_t seed_of(const TrackScenario &scenario, std::uint64_t seed, std::uint64_t draw) {
     return mixed_seed(mixed_seed(text_seed(scenario.name), seed), draw);
 }
@@ -104,8 +108,8 @@ JointAngles looking_at(Head &head, const Vec3 &p_world) {
 
 TrackLoop::TrackLoop(const TrackScenario &scenario, std::uint64_t seed)
     : scenario_(scenario), seed_(seed), world_(ball_body(scenario, seed)),
-      renderer_(scenario.camera.intrinsics, scenario.camera.supersampling), pilot_(scenario),
-      judge_(scenario) {
+      renderer_(scenario.camera.intrinsics, scenario.camera.supersampling, scenario.camera.shutter),
+      pilot_(scenario), judge_(scenario) {
     Random push(seed_of(scenario, seed, kEdge));
     Random clutter(seed_of(scenario, seed, kClutter));
     v_start_ = jittered(scenario.ball.v_world, scenario.ball.jitter_v, push);
@@ -115,6 +119,7 @@ TrackLoop::TrackLoop(const TrackScenario &scenario, std::uint64_t seed)
     }
     world_.hold_ball();
     world_.head().place(looking_at(world_.head(), scenario.looks_at));
+    course_.push_back(moment());
 }
 
 int TrackLoop::frame_count() const {
@@ -129,25 +134,31 @@ TrackFrame TrackLoop::step() {
     return frame;
 }
 
+Moment TrackLoop::moment() {
+    Head &head = world_.head();
+    return {world_.ball_place(), {head.X_world_cam(kLeft), head.X_world_cam(kRight)}};
+}
+
 TrackFrame TrackLoop::true_frame() {
     TrackFrame frame{};
+    now_ = moment();
     frame.time = step_ * kStep;
-    frame.p_true = world_.ball_place();
+    frame.p_true = now_.p_ball;
     frame.angles = world_.head().angles();
-    for (const Side side : {kLeft, kRight}) {
-        X_world_cam_[side] = world_.head().X_world_cam(side);
-    }
-    judge_.judge(X_world_cam_, frame);
+    judge_.judge(now_.X_world_cam, frame);
     return frame;
 }
 
-// The loop itself: what a robot and its world would do.
+// The loop itself: what a robot and its world would do.  A shutter that takes time is
+// open for as long after the frame's moment as before it.
 void TrackLoop::react(TrackFrame &frame) {
     const Stopwatch stopwatch(loop_seconds_);
-    const int latency = static_cast<int>(std::lround(scenario_.latency * kStepsPerSecond));
+    const std::int64_t exposed_us = time_us();
+    const int command = step_ + whole_steps(scenario_.latency);
+    advance_to(step_ + static_cast<int>(std::ceil(renderer_.shutter().half_span() / kStep)));
     expose();
-    sighting_ = pilot_.look(images_, frame.angles, time_us());
-    advance_to(step_ + latency);
+    sighting_ = pilot_.look(images_, frame.angles, exposed_us);
+    advance_to(command);
     frame.speeds = pilot_.command(world_.head().angles(), time_us());
     turn(frame.speeds);
     advance_to(exposure_step(frame_ + 1));
@@ -155,21 +166,55 @@ void TrackLoop::react(TrackFrame &frame) {
 
 // The ball is let go in the step of its release.
 void TrackLoop::advance_to(int step) {
-    const int release = static_cast<int>(std::lround(scenario_.ball.release * kStepsPerSecond));
+    const int release = whole_steps(scenario_.ball.release);
     if (step_ <= release && release < step) {
-        world_.advance(release - step_);
+        advance_and_note(release - step_);
         world_.release_ball(v_start_);
-        step_ = release;
     }
-    world_.advance(step - step_);
-    step_ = step;
+    advance_and_note(step - step_);
+}
+
+void TrackLoop::advance_and_note(int steps) {
+    step_ += steps;
+    if (renderer_.shutter().instant()) {
+        world_.advance(steps);
+        return;
+    }
+    for (int i = 0; i < steps; ++i) {
+        world_.advance(1);
+        course_.push_back(moment());
+    }
+}
+
+// Between two steps what moves is taken to do so evenly: in 1 ms a rotation is so
+// small that its matrix may be.
+View TrackLoop::view_at(Side side, double step) const {
+    const double last = static_cast<double>(course_.size() - 1);
+    const double at = std::clamp(step, 0.0, last);
+    const auto index = std::min(static_cast<std::size_t>(at), course_.size() - 2);
+    const double share = at - static_cast<double>(index);
+    const Moment &a = course_[index];
+    const Moment &b = course_[index + 1];
+    const Pose &X_a = a.X_world_cam[side];
+    const Pose &X_b = b.X_world_cam[side];
+    View view{drawing_, {X_a.r + (X_b.r - X_a.r) * share, X_a.p + (X_b.p - X_a.p) * share}};
+    view.drawing.solids.front().X_world_solid.p = a.p_ball + (b.p_ball - a.p_ball) * share;
+    return view;
+}
+
+cli::Image TrackLoop::picture(Side side) {
+    if (renderer_.shutter().instant()) {
+        drawing_.solids.front().X_world_solid.p = now_.p_ball;
+        return renderer_.picture(drawing_, now_.X_world_cam[side]);
+    }
+    const double step = exposure_step(frame_);
+    return renderer_.picture([&](double t) { return view_at(side, step + t / kStep); });
 }
 
 void TrackLoop::expose() {
-    drawing_.solids.front().X_world_solid.p = world_.ball_place();
     for (const Side side : {kLeft, kRight}) {
         const auto draw = mixed_seed(kNoise, static_cast<unsigned>(frame_ * kSides + side));
-        images_[side] = renderer_.picture(drawing_, X_world_cam_[side]);
+        images_[side] = picture(side);
         add_noise(scenario_.camera.noise, seed_of(scenario_, seed_, draw), images_[side]);
     }
 }

@@ -15,6 +15,12 @@ namespace sim {
 // the rest with the eyes, which converge there.
 JointAngles looking_at(Head &head, const Vec3 &p_world);
 
+// Where everything that moves is at a step of the physics.
+struct Moment {
+    Vec3 p_ball;
+    std::array<Pose, kSides> X_world_cam;
+};
+
 class TrackLoop {
   public:
     TrackLoop(const TrackScenario &scenario, std::uint64_t seed);
@@ -33,7 +39,7 @@ class TrackLoop {
         return sighting_;
     }
     const std::array<Pose, kSides> &X_world_cam() const {
-        return X_world_cam_;
+        return now_.X_world_cam;
     }
 
     TrackTimes times() const {
@@ -41,12 +47,16 @@ class TrackLoop {
     }
 
   private:
+    cli::Image picture(Side side);
+    View view_at(Side side, double step) const;
     void expose();
+    void advance_and_note(int steps);
     std::int64_t time_us() const {
         return step_ * std::int64_t{1000};
     }
     void advance_to(int step);
     void turn(const JointAngles &speeds);
+    Moment moment();
     TrackFrame true_frame();
     void react(TrackFrame &frame);
 
@@ -59,7 +69,8 @@ class TrackLoop {
     TrackJudge judge_;
     Drawing drawing_;
     std::array<cli::Image, kSides> images_;
-    std::array<Pose, kSides> X_world_cam_;
+    Moment now_;                 // of the frame in hand
+    std::vector<Moment> course_; // every step from the first on, for a shutter that takes time
     Sighting sighting_{};
     int frame_ = 0;
     int step_ = 0; // of the physics, 1 ms

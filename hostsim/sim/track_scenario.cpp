@@ -91,6 +91,10 @@ TrackScenario read_track_scenario(const std::string &path) {
     read_run(reader.table("run"), scenario);
     read_camera(reader.table("camera"), scenario.camera);
     read_target(reader.table("target"), scenario.target);
+    if (scenario.latency < scenario.camera.shutter.half_span()) {
+        reader.table("run").reject("latency", "expected no less than half of exposure and readout "
+                                              "together: the frame is not there before");
+    }
     if (scenario.target.shape != Shape::kBall) {
         reader.table("target").reject("shape", "expected ball: a disc has no place to track");
     }
