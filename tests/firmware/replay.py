@@ -4,7 +4,7 @@
 
 The recording is made anew each time, so that it is of the simulator and the library as
 they are now.  Fails when one member of one answer differs from the host's, or when a
-frame takes more instructions than --bounds states.
+frame takes more instructions than the bounds that tools/wcet.py states for --core.
 """
 import argparse
 import csv
@@ -14,8 +14,10 @@ import statistics
 import subprocess
 import sys
 
-# The columns of a `frame` line after its name: what was done, for which eye.
-ELLIPSE, SPHERE, BALL = (0, 2), (1, 3), (4,)
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+# What was done, and its columns of a `frame` line after the name: left, right, both.
+STAGES = (("frame to ellipse", (0, 2)), ("frame to sphere", (1, 3)), ("poses and ball", (4,)))
 
 
 def record(args):
@@ -60,11 +62,45 @@ def differences(recording):
     return found, len(host) - 1, len(host[0]) - 3
 
 
-def read_bounds(path, name):
-    """stage -> instructions at most, of this board."""
-    if path is None:
+def bounds_of(args):
+    """stage -> instructions at most, for frames of the recording's size."""
+    if not args.core:
         return {}
-    return {stage: int(limit) for board, stage, limit in rows_of(path)[1:] if board == name}
+    size = dict(line.split(" ", 1) for line in (args.recording / "manifest.txt").read_text().splitlines())
+    table = args.recording / "bounds.csv"
+    run = subprocess.run([ROOT / "tools" / "wcet.py", "--core", args.core, "--width", size["width"],
+                          "--height", size["height"], "--csv", table, "--build",
+                          args.recording / "wcet"], capture_output=True, text=True, check=False)
+    if run.returncode != 0:
+        sys.exit(f"replay: tools/wcet.py states no bounds:\n{run.stdout[-2000:]}{run.stderr}")
+    with table.open(newline="") as file:
+        of = {row["function"]: int(row["bound_insn"]) for row in csv.DictReader(file)}
+    ellipse = (of["ocel_eye_begin"] + int(size["height"]) * of["ocel_eye_line"] + of["ocel_eye_end"])
+    return {"frame to ellipse": ellipse,
+            "frame to sphere": ellipse + of["ocel_eye_cone"] + of["ocel_sphere_of_cone"],
+            "poses and ball": of["ocel_head_forward"] + of["ocel_stereo_ball"]}
+
+
+def judge(frames, bounds):
+    """(stage, median, most, bound or None) of each stage, of all frames."""
+    rows = []
+    for stage, columns in STAGES:
+        counts = [frame[column] for frame in frames for column in columns]
+        rows.append((stage, int(statistics.median(counts)), max(counts), bounds.get(stage)))
+    return rows
+
+
+def write_report(args, headline, unit, rows):
+    lines = [headline, "", f"| {unit} a frame | median | max | bound |", "|---|--:|--:|--:|"]
+    lines += [f"| {stage} | {median} | {most} | {bound or ''} |" for stage, median, most, bound in rows]
+    text = "\n".join(lines) + "\n"
+    (args.reports / f"replay_{args.name}.md").write_text(text)
+    print(text)
+    for stage, *values in rows:
+        for what, value in zip(("median", "max", "bound"), values):
+            if value is not None:
+                print(f'<CTestMeasurement type="numeric/double" name="{stage}, {what}">{value}'
+                      "</CTestMeasurement>")
 
 
 def main():
@@ -75,37 +111,25 @@ def main():
     parser.add_argument("--scenario", type=pathlib.Path, required=True)
     parser.add_argument("--recording", type=pathlib.Path, required=True, metavar="FOLDER")
     parser.add_argument("--reports", type=pathlib.Path, required=True, metavar="FOLDER")
-    parser.add_argument("--bounds", type=pathlib.Path, metavar="CSV")
+    parser.add_argument("--core", help="of tools/wcet.py, for the bounds")
     parser.add_argument("command", nargs="+", help="the replaying program, and what runs it")
     args = parser.parse_args()
 
     record(args)
     said = replay(args)
-    unit = said[0][1]
     frames = [[int(count) for count in line[1:]] for line in said if line[0] == "frame"]
-    found, pairs, members = differences(args.recording)
-    bounds = read_bounds(args.bounds, args.name)
-
-    lines = [f"Replay of {args.scenario.name} on {args.name}: {pairs} pairs, {2 * pairs} frames; "
-             f"{members} members of each pair's answers, {len(found) or 'none'} not the host's.", "",
-             f"| {unit} | median | max | bound |", "|---|--:|--:|--:|"]
-    measurements = []
-    for stage, columns in (("frame to ellipse", ELLIPSE), ("frame to sphere", SPHERE),
-                           ("poses and ball", BALL)):
-        counts = [frame[column] for frame in frames for column in columns]
-        median, most, bound = int(statistics.median(counts)), max(counts), bounds.get(stage)
-        lines.append(f"| {stage} | {median} | {most} | {'' if bound is None else bound} |")
-        measurements += [(f"{stage}, median", median), (f"{stage}, max", most)]
-        if bound is not None and most > bound:
-            found.append(f"{stage} took {most} instructions, over the bound of {bound}")
-    text = "\n".join(lines) + "\n"
-    (args.reports / f"replay_{args.name}.md").write_text(text)
-    print(text)
-    for label, value in measurements:
-        print(f'<CTestMeasurement type="numeric/double" name="{label}">{value}</CTestMeasurement>')
-    for line in found[:20]:
+    if not frames:
+        sys.exit("replay: the recording has no frame")
+    wrong, pairs, members = differences(args.recording)
+    rows = judge(frames, bounds_of(args))
+    write_report(args, f"Replay of {args.scenario.name} on {args.name}: {pairs} pairs, {2 * pairs} "
+                 f"frames; of {members} members of each pair's answers {len(wrong) or 'none'} "
+                 "not the host's.", said[0][1], rows)
+    wrong += [f"{stage} took {most} instructions, over the bound of {bound}"
+              for stage, _, most, bound in rows if bound is not None and most > bound]
+    for line in wrong[:20]:
         print(f"replay: {line}", file=sys.stderr)
-    return 1 if found or not frames else 0
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":
