@@ -214,7 +214,7 @@ std::string readings_html(const SweepResult &fixated) {
 
 std::string distance_html(const ReportData &data, const SweepResult &sweep) {
     const Measure measure{sweep, "err", 1.0};
-    Plot plot = error_plot(measure, "fig6c", "Error of the ball's position over distance");
+    Plot plot = error_plot(measure, "fig6c_position", "Error of the ball's position over distance");
     for (const char *const method : {"hough_gradient", "b2ac", "sphere"}) {
         plot.curves.push_back(error_trend_curve(measure, method));
     }
