@@ -24,9 +24,12 @@ enum { WIDTH = 160, HEIGHT = 120 };
 #define WORDS64(w) WORDS16(w), WORDS16((w) + 16U), WORDS16((w) + 32U), WORDS16((w) + 48U)
 #define WORDS256(w) WORDS64(w), WORDS64((w) + 64U), WORDS64((w) + 128U), WORDS64((w) + 192U)
 
+/* Reds from 25, greens from 15 to 37, blues to 9. */
 static const ocel_colour_table_t orange = {{WORDS256(0U), WORDS256(256U), WORDS256(512U),
                                             WORDS256(768U), WORDS256(1024U), WORDS256(1280U),
-                                            WORDS256(1536U), WORDS256(1792U)}};
+                                            WORDS256(1536U), WORDS256(1792U)},
+                                           (25U << 11U) | (15U << 5U),
+                                           ((63U - 37U) << 5U) | (31U - 9U)};
 
 static ocel_eye_t eye;
 static ocel_colour_t colour;

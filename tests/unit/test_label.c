@@ -330,6 +330,28 @@ static void test_rows_that_repeat(void) {
     }
 }
 
+/* Rows that keep to a few words, others from row to row, or have nothing: what a row
+ * spans is all that is looked at. */
+static void test_rows_in_spans(void) {
+    for (int i = 0; i < MASKS / 6; i++) {
+        const int width = at_most(97 + 32 * (i % 13), OCEL_MAX_WIDTH);
+
+        mask_clear(&mask, width, at_most(16, OCEL_MAX_HEIGHT));
+        for (int y = 0; y < mask.height; y++) {
+            const int left = rng_between(&rng, 0, width - 1);
+            const int span = at_most(rng_between(&rng, 1, 70), width - left);
+
+            if (rng_below(&rng, 3U) != 0U) {
+                mask_box(&mask, left, y, span, 1, true);
+                for (int k = rng_between(&rng, 0, 4); k > 0; k--) {
+                    mask_set(&mask, left + rng_between(&rng, 0, span - 1), y, false);
+                }
+            }
+        }
+        check_both("spans");
+    }
+}
+
 /* ---- Contexts and order ---- */
 
 static void test_a_copy_goes_on_by_itself(void) {
@@ -523,6 +545,7 @@ int main(void) {
     RUN_TEST(test_one_speck_anywhere);
     RUN_TEST(test_the_first_of_pixels_alone_wins);
     RUN_TEST(test_rows_that_repeat);
+    RUN_TEST(test_rows_in_spans);
     RUN_TEST(test_a_copy_goes_on_by_itself);
     RUN_TEST(test_without_a_list_of_the_ended);
     RUN_TEST(test_rows_out_of_order);

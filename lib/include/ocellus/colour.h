@@ -51,9 +51,16 @@ typedef struct {
 } ocel_colour_range_t;
 
 /* One bit for each RGB565 colour, set when it is in range: bit (p & 31) of word
- * (p >> 5) for the pixel p.  8 KB, caller-owned; may be made once and be const. */
+ * (p >> 5) for the pixel p.  8 KB and 4 bytes, caller-owned; may be made once and be
+ * const.
+ *   least     a pixel with, or below, the least red, green and blue in range
+ *   headroom  the same of what the greatest lack of the channel's top
+ * Both may be 0, as if black and white were in range: the bits of a row are the same
+ * then, but more pixels are looked up. */
 typedef struct {
     uint32_t word[OCEL_COLOUR_TABLE_WORDS];
+    uint16_t least;
+    uint16_t headroom;
 } ocel_colour_table_t;
 
 /* A compiled range.  Opaque: read it through the functions below. */

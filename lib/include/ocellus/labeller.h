@@ -63,6 +63,8 @@ typedef struct {
  * them and two behind have none. */
 typedef struct {
     uint32_t word[OCEL_ROW_WORDS + 3];
+    uint16_t first; /* all pixels that are set have first <= x/32 < end; */
+    uint16_t end;   /* 0 when none is */
 } ocel_bit_row_t;
 
 /* The sums of a component.  32 bytes at 320x240. */

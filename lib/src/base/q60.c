@@ -9,6 +9,8 @@
  */
 #include "q60.h"
 
+#define RSQRT_TRIPS 3U /* 2^-5.4, 2^-10.2, 2^-19.8, 2^-39: past the 32 bits */
+
 #define ONE_Q61 ((uint64_t)1U << 61U)
 #define ONE_Q62 ((uint64_t)1U << 62U)
 
@@ -80,9 +82,10 @@ static uint32_t rsqrt_q31(uint32_t m_q30) {
     const uint32_t slope_q32 = 1763812373U - (uint32_t)(((uint64_t)m_q30 * 879699390U) >> 32U);
     uint32_t y_q31 = 2867787663U - (uint32_t)(((uint64_t)m_q30 * slope_q32) >> 31U);
 
-    y_q31 = rsqrt_step(m_q30, y_q31);
-    y_q31 = rsqrt_step(m_q30, y_q31);
-    return rsqrt_step(m_q30, y_q31);
+    for (uint32_t trip = 0U; trip < RSQRT_TRIPS; trip++) { /* bound: RSQRT_TRIPS = 3 */
+        y_q31 = rsqrt_step(m_q30, y_q31);
+    }
+    return y_q31;
 }
 
 /* y in Q60 for m_q62 in [2^62, 2^64), [1, 4): r = 1 - m y^2, then y + y r / 2.

@@ -8,6 +8,7 @@
 
 #include "int_math.h"
 #include "q60.h"
+#include "scale.h"
 
 /* Micro-rotations by atan(2^-i).  14 of them leave an angle of at most
  * atan(2^-13), so small that a division finishes it (finish_vector): a 32-trip
@@ -85,13 +86,6 @@ static int64_t negate_if(int64_t v, int64_t sign) {
     return (v ^ sign) - sign;
 }
 
-/* v * 2^n, n -2..58: exact to the left, rounded to the right. */
-static int64_t scale(int64_t v, int32_t n) {
-    const int32_t down = -n;
-
-    return (n >= 0) ? ocel_shl64(v, (uint32_t)n) : ocel_shift_round64(v, (uint32_t)down);
-}
-
 void ocel_polar(int64_t x, int64_t y, int64_t *magnitude, uint32_t *turn_q32) {
     const uint64_t spread = ocel_abs64(x) | ocel_abs64(y);
 
@@ -106,11 +100,12 @@ void ocel_polar(int64_t x, int64_t y, int64_t *magnitude, uint32_t *turn_q32) {
          * a turn first. */
         const int64_t flip = ocel_sign64(x);
         const uint32_t half_turn = (uint32_t)flip & 0x80000000U;
-        cordic_t v = {negate_if(scale(x, up), flip), negate_if(scale(y, up), flip), 0};
+        cordic_t v = {negate_if(ocel_scale_q60(x, up), flip),
+                      negate_if(ocel_scale_q60(y, up), flip), 0};
 
         cordic_vector(&v);
         finish_vector(&v);
-        *magnitude = scale(ocel_mul_q60(v.x, CORDIC_GAIN_Q60), -up);
+        *magnitude = ocel_scale_q60(ocel_mul_q60(v.x, CORDIC_GAIN_Q60), -up);
         *turn_q32 =
             (uint32_t)((uint64_t)ocel_shift_round64(v.turn_q48, 16U) & 0xFFFFFFFFU) + half_turn;
     }

@@ -102,6 +102,35 @@ static bool rgb_in_range(const ocel_colour_range_t *range, const ocel_pixel_t *r
     return in;
 }
 
+/* The lowest of a channel's values in a mask of those that occur; none: 0. */
+static uint32_t lowest_of(uint32_t values) {
+    return (values != 0U) ? ocel_ctz32(values) : 0U;
+}
+
+/* Of the highest, what it lacks of 31. */
+static uint32_t headroom_of(uint32_t values) {
+    return (values != 0U) ? ocel_clz32(values) : 0U;
+}
+
+/* Greens two by two, so that 32 bits hold which values occur of every channel. */
+static void bound_table(ocel_colour_table_t *table) {
+    uint32_t reds = 0U;
+    uint32_t greens = 0U;
+    uint32_t blues = 0U;
+
+    for (uint32_t k = 0U; k < OCEL_COLOUR_TABLE_WORDS; k++) { /* bound: OCEL_COLOUR_TABLE_WORDS */
+        const uint32_t some = (table->word[k] != 0U) ? 1U : 0U;
+
+        reds |= some << (k >> 6U);
+        greens |= some << ((k >> 1U) & 31U);
+        blues |= table->word[k];
+    }
+    table->least =
+        (uint16_t)((lowest_of(reds) << 11U) | (lowest_of(greens) << 6U) | lowest_of(blues));
+    table->headroom =
+        (uint16_t)((headroom_of(reds) << 11U) | (headroom_of(greens) << 6U) | headroom_of(blues));
+}
+
 static void fill_table(ocel_colour_table_t *table, const ocel_colour_range_t *range) {
     uint32_t word = 0U;
 
@@ -195,6 +224,7 @@ static void compile_gray8(ocel_colour_t *colour) {
 
 static void compile_rgb565(ocel_colour_t *colour, ocel_colour_table_t *table) {
     fill_table(table, &colour->range);
+    bound_table(table);
     colour->table = table;
     colour->exact = 1U;
 }
@@ -251,11 +281,18 @@ ocel_status_t ocel_colour_compile(ocel_colour_t *colour, const ocel_colour_range
 
 /* ---- Testing a line ---- */
 
+static void look_up_line(const ocel_colour_table_t *table, const uint8_t *line, uint32_t pixels,
+                         uint32_t *row) {
+    const ocel_row16_table_t colours = {table->word, table->least, table->headroom};
+
+    ocel_row16_table(&colours, line, pixels, row);
+}
+
 static void test_line(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
                       uint32_t *row) {
     switch (colour->format) {
     case OCEL_FORMAT_RGB565:
-        ocel_row16_table(colour->table->word, line, pixels, row);
+        look_up_line(colour->table, line, pixels, row);
         break;
     case OCEL_FORMAT_YUYV:
         ocel_row16_yuyv(colour->lanes, line, pixels, row);

@@ -7,20 +7,22 @@
 
 #include <ocellus/colour.h>
 
+#include "lanes.h"
 #include "row16.h"
 
-#define GROUP 8U
+#define GROUP 16U
 #define PIXEL_BYTES 2U
 
-/* The last, incomplete group: its pixels with zeros after them, whose answers
- * are masked away.  count 1..7. */
+/* The last, incomplete group's bits.  count 1..15. */
 static uint32_t tail_bits(const ocel_colour_table_t *table, const uint8_t *pixels, uint32_t count) {
-    uint8_t group[GROUP * PIXEL_BYTES] = {0U};
     uint32_t bits = 0U;
 
-    (void)memcpy(group, pixels, (size_t)count * PIXEL_BYTES);
-    ocel_row16_table(table->word, group, GROUP, &bits);
-    return bits & ((1U << count) - 1U);
+    for (uint32_t k = 0U; k < count; k++) { /* bound: GROUP - 1 */
+        const uint32_t p = ocel_load16(&pixels[k * PIXEL_BYTES]);
+
+        bits |= ((table->word[p >> 5U] >> (p & 31U)) & 1U) << k;
+    }
+    return bits;
 }
 
 ocel_status_t ocel_colour_table_row(const ocel_colour_table_t *table, const uint8_t *line,
@@ -36,9 +38,10 @@ ocel_status_t ocel_colour_table_row(const ocel_colour_table_t *table, const uint
     } else {
         const uint32_t tail = (uint32_t)width % GROUP;
         const uint32_t whole = (uint32_t)width - tail;
+        const ocel_row16_table_t colours = {table->word, table->least, table->headroom};
 
         (void)memset(row, 0, (((size_t)width + 31U) / 32U) * sizeof(row[0]));
-        ocel_row16_table(table->word, line, whole, row);
+        ocel_row16_table(&colours, line, whole, row);
         if (tail > 0U) {
             row[whole / 32U] |= tail_bits(table, &line[(size_t)whole * PIXEL_BYTES], tail)
                                 << (whole % 32U);

@@ -4,6 +4,9 @@
  */
 #include "row16.h"
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "lanes.h"
 
 static inline void put(uint32_t *row, uint32_t x, uint32_t bits) {
@@ -12,45 +15,127 @@ static inline void put(uint32_t *row, uint32_t x, uint32_t bits) {
 
 /* ---- RGB565 ---- */
 
-/* Eight pixels, two a load. */
-#define TABLE_GROUP 8U
+/* Sixteen pixels, each two bytes. */
+#define TABLE_GROUP 16U
+#define TABLE_GROUP_BYTES 32U
 
-/* The table word of the first and of the second of two pixels. */
-static inline uint32_t either_word(const uint32_t *table, uint32_t two) {
-    return table[(two >> 5U) & 0x7FFU] | table[two >> 21U];
+/* A pixel's channels, apart in a word that holds it twice: green in bits 26..21,
+ * red in 15..11, blue in 4..0.  Above each is a bit for what an addition carries. */
+#define CHANNELS 0x07E0F81FU
+#define CARRIES 0x08010020U
+
+/* Bits that some pixel of a group has and bits that all have, two pixels (or
+ * four) beside each other.  Of each channel the former are at least the group's
+ * greatest value and the latter at most its least. */
+typedef struct {
+    ocel_word_t some;
+    ocel_word_t all;
+} shared_t;
+
+static inline void share_four(shared_t *shared, const uint8_t *words) {
+    const ocel_word_t a = ocel_load_word(words);
+    const ocel_word_t b = ocel_load_word(&words[OCEL_WORD_BYTES]);
+    const ocel_word_t c = ocel_load_word(&words[2U * OCEL_WORD_BYTES]);
+    const ocel_word_t d = ocel_load_word(&words[3U * OCEL_WORD_BYTES]);
+
+    shared->some |= a | b | c | d;
+    shared->all &= a & b & c & d;
 }
 
-static inline uint32_t table_bit(const uint32_t *table, uint32_t p) {
-    return (table[p >> 5U] >> (p & 31U)) & 1U;
+static inline shared_t share(const uint8_t *group) {
+    shared_t shared = {0U, ~(ocel_word_t)0U};
+
+    share_four(&shared, group);
+#if OCEL_WORD_BITS == 64
+    shared.some |= shared.some >> 32U;
+    shared.all &= shared.all >> 32U;
+#else
+    share_four(&shared, &group[4U * OCEL_WORD_BYTES]);
+#endif
+    return shared;
 }
 
-static uint32_t table_bits(const uint32_t *table, const uint8_t *group) {
+static inline uint32_t turned(uint32_t word) {
+    return (word << 16U) | (word >> 16U);
+}
+
+static inline uint32_t channels_of(uint32_t pixel) {
+    return (pixel | (pixel << 16U)) & CHANNELS;
+}
+
+/* What is to be added to bits that some have, so that a channel carries when it is
+ * at least the least in range; and what bits that all have are to be taken from, so
+ * that it does not borrow when it is at most the greatest. */
+typedef struct {
+    uint32_t up;
+    uint32_t down;
+} glance_t;
+
+static inline glance_t glance_of(const ocel_row16_table_t *table) {
+    const glance_t glance = {CARRIES - channels_of(table->least),
+                             CARRIES + CHANNELS - channels_of(table->headroom)};
+
+    return glance;
+}
+
+/* False when some channel of all pixels is below its least or above its greatest
+ * value in range. */
+static inline bool may_be_in(const glance_t *glance, const uint8_t *group) {
+    const shared_t shared = share(group);
+    const uint32_t some = (uint32_t)shared.some;
+    const uint32_t all = (uint32_t)shared.all;
+    const uint32_t up = glance->up + ((some | turned(some)) & CHANNELS);
+    const uint32_t down = glance->down - ((all & turned(all)) & CHANNELS);
+
+    return (up & down & CARRIES) == CARRIES;
+}
+
+/* The bits of two pixels, put under those of the pixels after them. */
+static inline uint32_t table_bits_of_two(const uint32_t *word, uint32_t two, uint32_t after) {
+    const uint32_t second = word[two >> 21U] >> ((two >> 16U) & 31U);
+    const uint32_t first = word[(two >> 5U) & 0x7FFU] >> (two & 31U);
+    const uint32_t bits = (after << 1U) | (second & 1U);
+
+    return (bits << 1U) | (first & 1U);
+}
+
+/* The bits of a group, the last pixels first. */
+static inline uint32_t table_bits(const uint32_t *word, const uint8_t *group) {
     uint32_t bits = 0U;
 
-    for (uint32_t k = 0U; k < TABLE_GROUP; k += 2U) { /* bound: TABLE_GROUP */
-        const uint32_t two = ocel_load32(&group[2U * k]);
-
-        bits |= (table_bit(table, two & 0xFFFFU) | (table_bit(table, two >> 16U) << 1U)) << k;
+    for (uint32_t at = TABLE_GROUP_BYTES; at > 0U; at -= 8U) { /* bound: TABLE_GROUP / 4 */
+        bits = table_bits_of_two(word, ocel_load32(&group[at - 4U]), bits);
+        bits = table_bits_of_two(word, ocel_load32(&group[at - 8U]), bits);
     }
     return bits;
 }
 
-/* A table word holds all blues of one red and green, so most of a background
- * has words of zeros: eight of them or-ed decide eight pixels. */
-void ocel_row16_table(const uint32_t table[2048], const uint8_t *line, uint32_t pixels,
+/* Most of a background is too dark, too bright or too much of one channel all over
+ * a group: a glance at the group's bits together takes a third of what looking all up
+ * takes.  Where a group's last pixel is in range the next group has some most likely. */
+void ocel_row16_table(const ocel_row16_table_t *table, const uint8_t *line, uint32_t pixels,
                       uint32_t *row) {
+    const glance_t glance = glance_of(table);
+    const uint8_t *const end = &line[2U * pixels];
     const uint8_t *group = line;
 
-    for (uint32_t x = 0U; x < pixels; x += TABLE_GROUP) { /* bound: OCEL_MAX_WIDTH / TABLE_GROUP */
-        const uint32_t any = either_word(table, ocel_load32(group)) |
-                             either_word(table, ocel_load32(&group[4])) |
-                             either_word(table, ocel_load32(&group[8])) |
-                             either_word(table, ocel_load32(&group[12]));
+    while (group != end) { /* bound: OCEL_MAX_WIDTH / TABLE_GROUP */
+        bool may = may_be_in(&glance, group);
 
-        if (any != 0U) {
-            put(row, x, table_bits(table, group));
+        group = &group[TABLE_GROUP_BYTES];
+        /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; OCEL_MAX_WIDTH / TABLE_GROUP in all rounds of
+         * the outer loop */
+        while (may) {
+            const ptrdiff_t past = group - line;
+            const uint32_t x = ((uint32_t)past / 2U) - TABLE_GROUP;
+            const uint32_t bits = table_bits(table->word, &line[2U * x]);
+
+            put(row, x, bits);
+            may = ((bits >> (TABLE_GROUP - 1U)) != 0U) && (group != end);
+            if (may) {
+                group = &group[TABLE_GROUP_BYTES];
+            }
         }
-        group = &group[2U * TABLE_GROUP];
     }
 }
 

@@ -10,8 +10,16 @@
 
 #include <stdint.h>
 
-/* Sets the bits of the pixels p whose bit p % 32 of table[p / 32] is set. */
-void ocel_row16_table(const uint32_t table[2048], const uint8_t *line, uint32_t pixels,
+/* A table of RGB565 colours: see ocel_colour_table_t. */
+typedef struct {
+    const uint32_t *word;
+    uint32_t least;
+    uint32_t headroom;
+} ocel_row16_table_t;
+
+/* Sets the bits of the pixels p whose bit p % 32 of word[p / 32] is set; pixels is a
+ * multiple of 16. */
+void ocel_row16_table(const ocel_row16_table_t *table, const uint8_t *line, uint32_t pixels,
                       uint32_t *row);
 
 /* Sets the bits of exactly the pixels whose Y is in the range lanes[0], and whose

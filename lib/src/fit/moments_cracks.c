@@ -20,14 +20,15 @@ static inline int64_t low_word(int64_t v) {
     return (int32_t)v;
 }
 
-/* Sums of u^i v^j, u and v the offsets from (x0, y0), |.| < 2^17.  The products
- * are below 2^62; the sums are taken modulo 2^64, so nothing overflows here, and
- * the caller asks the second-order ones, which are exact, whether the others
- * are. */
+/* Sums of u^i v^j, u and v the offsets from (x0, y0), |.| < 2^16: |sums| of the first
+ * order are below 2^30.  The products are below 2^62; the sums are taken modulo 2^64,
+ * so nothing overflows here, and the caller asks the second-order ones, which are
+ * exact, whether the others are.  (Of factors that are seen to be 32 bits a 32-bit
+ * core makes a product and its sum in one instruction.) */
 static void sum_cracks(const ocel_crack_t *cracks, size_t count, int32_t x0, int32_t y0,
                        int64_t *sum) {
-    uint64_t s_x = 0U;
-    uint64_t s_y = 0U;
+    int32_t s_x = 0;
+    int32_t s_y = 0;
     uint64_t s_xx = 0U;
     uint64_t s_xy = 0U;
     uint64_t s_yy = 0U;
@@ -45,25 +46,26 @@ static void sum_cracks(const ocel_crack_t *cracks, size_t count, int32_t x0, int
     /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_end or
      * ocel_eye_refit */
     for (i = 0U; i < count; i++) {
-        const int64_t x = (int64_t)cracks[i].x_hpx - x0;
-        const int64_t y = (int64_t)cracks[i].y_hpx - y0;
+        const int32_t u = (int32_t)cracks[i].x_hpx - x0;
+        const int32_t v = (int32_t)cracks[i].y_hpx - y0;
+        const int64_t x = u;
+        const int64_t y = v;
         const int64_t xx = x * x;
+        const int64_t xy = x * y;
         const int64_t yy = y * y;
-        const int64_t x_32 = low_word(x);
-        const int64_t y_32 = low_word(y);
         const int64_t xx_32 = low_word(xx);
-        const int64_t xy_32 = low_word(x * y);
+        const int64_t xy_32 = low_word(xy);
         const int64_t yy_32 = low_word(yy);
 
-        s_x += (uint64_t)x;
-        s_y += (uint64_t)y;
+        s_x += u;
+        s_y += v;
         s_xx += (uint64_t)xx;
-        s_xy += (uint64_t)(x * y);
+        s_xy += (uint64_t)xy;
         s_yy += (uint64_t)yy;
-        s_xxx += (uint64_t)(xx_32 * x_32);
-        s_xxy += (uint64_t)(xx_32 * y_32);
-        s_xyy += (uint64_t)(yy_32 * x_32);
-        s_yyy += (uint64_t)(yy_32 * y_32);
+        s_xxx += (uint64_t)(xx_32 * x);
+        s_xxy += (uint64_t)(xx_32 * y);
+        s_xyy += (uint64_t)(yy_32 * x);
+        s_yyy += (uint64_t)(yy_32 * y);
         s_xxxx += (uint64_t)(xx_32 * xx_32);
         s_xxxy += (uint64_t)(xx_32 * xy_32);
         s_xxyy += (uint64_t)(xx_32 * yy_32);
@@ -71,8 +73,8 @@ static void sum_cracks(const ocel_crack_t *cracks, size_t count, int32_t x0, int
         s_yyyy += (uint64_t)(yy_32 * yy_32);
     }
     sum[OCEL_M_1] = (int64_t)count;
-    sum[OCEL_M_X] = (int64_t)s_x;
-    sum[OCEL_M_Y] = (int64_t)s_y;
+    sum[OCEL_M_X] = s_x;
+    sum[OCEL_M_Y] = s_y;
     sum[OCEL_M_XX] = (int64_t)s_xx;
     sum[OCEL_M_XY] = (int64_t)s_xy;
     sum[OCEL_M_YY] = (int64_t)s_yy;

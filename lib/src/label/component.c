@@ -25,13 +25,18 @@ void ocel_component_add(ocel_component_t *component, const ocel_row_sums_t *sums
 }
 
 void ocel_component_start(ocel_component_t *component, uint32_t start, uint32_t end, uint32_t y) {
-    static const ocel_component_t none = {0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U};
     const ocel_rows_t rows = {1U, y, (ocel_moment_t)y * y};
     ocel_row_sums_t sums = {0U, 0U, 0U};
 
-    *component = none;
+    component->sum_x = 0U;
+    component->sum_y = 0U;
+    component->sum_xx = 0U;
+    component->sum_xy = 0U;
+    component->sum_yy = 0U;
+    component->area = 0U;
     component->first = (y << 16U) | start;
     component->left = (uint16_t)start;
+    component->end = 0U;
     ocel_row_sums_add(&sums, start, end);
     ocel_component_add(component, &sums, start, end, &rows);
 }

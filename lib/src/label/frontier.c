@@ -85,25 +85,10 @@ void ocel_frontier_set(ocel_labeller_t *lab, const ocel_run_t *first, ocel_run_t
     lab->last_run = (uint16_t)last_run;
 }
 
-ocel_crack_pair_t ocel_frontier_take_edges(ocel_labeller_t *lab, ocel_crack_pool_t *pool,
-                                           uint32_t root, uint32_t start, uint32_t end,
-                                           uint32_t after) {
-    ocel_crack_pair_t pair = {OCEL_NO_CELL, OCEL_NO_CELL};
-
-    if (lab->live[root] < OCEL_LOST) {
-        pair = ocel_crack_take_pair(pool, &lab->ledger);
-    }
-    if (pair.head != OCEL_NO_CELL) {
-        ocel_crack_set_left(pool, pair.head, start);
-        ocel_crack_set_right(pool, pair.tail, end);
-        if (after != OCEL_NO_CELL) {
-            ocel_crack_set_link(pool, pair.head, after);
-        }
-    } else {
-        lab->live[root] |= OCEL_LOST;
-        ocel_crack_give_from(pool, &lab->ledger, after);
-    }
-    return pair;
+void ocel_frontier_lose(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t root,
+                        uint32_t chain) {
+    lab->live[root] |= OCEL_LOST;
+    ocel_crack_give_from(pool, &lab->ledger, chain);
 }
 
 /* A newborn run of the row above gets what a component has: a label, its sums

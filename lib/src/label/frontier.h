@@ -46,13 +46,34 @@ static inline ocel_run_t *ocel_frontier_after(ocel_labeller_t *lab, ocel_run_t *
  * touches nothing. */
 void ocel_frontier_set(ocel_labeller_t *lab, const ocel_run_t *first, ocel_run_t *last);
 
+/* Loses a component's boundary and gives back a chain of it (none: OCEL_NO_CELL). */
+void ocel_frontier_lose(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t root,
+                        uint32_t chain);
+
 /* Takes the cells of the edges of a run [start, end) and links the left one to the
  * cell `after`, or to the right one when that is OCEL_NO_CELL.  If the component
  * is lost, or is now for want of cells, both are OCEL_NO_CELL and the chain from
  * `after` is given back. */
-ocel_crack_pair_t ocel_frontier_take_edges(ocel_labeller_t *lab, ocel_crack_pool_t *pool,
-                                           uint32_t root, uint32_t start, uint32_t end,
-                                           uint32_t after);
+static inline ocel_crack_pair_t ocel_frontier_take_edges(ocel_labeller_t *lab,
+                                                         ocel_crack_pool_t *pool, uint32_t root,
+                                                         uint32_t start, uint32_t end,
+                                                         uint32_t after) {
+    ocel_crack_pair_t pair = {OCEL_NO_CELL, OCEL_NO_CELL};
+
+    if (lab->live[root] < OCEL_LOST) {
+        pair = ocel_crack_take_pair(pool, &lab->ledger);
+    }
+    if (pair.head != OCEL_NO_CELL) {
+        ocel_crack_set_left(pool, pair.head, start);
+        ocel_crack_set_right(pool, pair.tail, end);
+        if (after != OCEL_NO_CELL) {
+            ocel_crack_set_link(pool, pair.head, after);
+        }
+    } else {
+        ocel_frontier_lose(lab, pool, root, after);
+    }
+    return pair;
+}
 
 /* The root of a run whose label may not be one: the run is newborn and now gets
  * what a component has, or its label has been merged away in this row. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Rows of bits: their emptiness, their way into the labeller, and a machine word
- * of them at a time.
+ * Rows of bits: their way into the labeller, and a machine word of them at a time.
  */
 #ifndef OCEL_RUN_H
 #define OCEL_RUN_H
@@ -53,28 +52,51 @@ static inline uint32_t ocel_run_last_mask(uint32_t width) {
     return 0xFFFFFFFFU >> ((0U - width) & 31U);
 }
 
-/* Copies a row of `width` pixels, width >= 1; the margins stay as they are.
- * Returns 0 when no pixel is set. */
-static inline ocel_word_t ocel_run_copy(ocel_bit_row_t *to, const uint32_t *row, uint32_t width) {
+/* How many words of a row of `width` pixels, width >= 1, come before the first with
+ * a pixel, or some fewer; ocel_run_words(width) when no pixel is set. */
+static inline uint32_t ocel_run_first(const uint32_t *row, uint32_t width) {
     const uint32_t last = ocel_run_words(width) - 1U;
-    ocel_word_t any = row[last] & ocel_run_last_mask(width);
     uint32_t k = 0U;
 
-    to->word[last + 1U] = (uint32_t)any;
-    while ((k + OCEL_RUN_WORDS) <= last) { /* bound: OCEL_ROW_WORDS */
-        const ocel_word_t bits = ocel_run_load(&row[k]);
-
-        ocel_run_store(&to->word[k + 1U], bits);
-        any |= bits;
+    /* bound: OCEL_ROW_WORDS */
+    while (((k + (OCEL_RUN_WORDS - 1U)) < last) && (ocel_run_load(&row[k]) == 0U)) {
         k += OCEL_RUN_WORDS;
     }
 #if OCEL_WORD_BITS == 64
-    if (k < last) {
-        to->word[k + 1U] = row[k];
-        any |= row[k];
+    if ((k < last) && (row[k] == 0U)) {
+        k++;
     }
 #endif
-    return any;
+    if ((k == last) && ((row[last] & ocel_run_last_mask(width)) == 0U)) {
+        k++;
+    }
+    return k;
+}
+
+/* Copies a row of `width` pixels that has one, the first in word `first` or later; the
+ * margins stay as they are. */
+static inline void ocel_run_copy(ocel_bit_row_t *to, const uint32_t *row, uint32_t width,
+                                 uint32_t first) {
+    const uint32_t words = ocel_run_words(width);
+    uint32_t *const word = &to->word[1];
+    uint32_t end = words;
+    uint32_t k = 0U;
+
+    while ((k + OCEL_RUN_WORDS) <= words) { /* bound: OCEL_ROW_WORDS */
+        ocel_run_store(&word[k], ocel_run_load(&row[k]));
+        k += OCEL_RUN_WORDS;
+    }
+#if OCEL_WORD_BITS == 64
+    if (k < words) {
+        word[k] = row[k];
+    }
+#endif
+    word[words - 1U] &= ocel_run_last_mask(width);
+    while (word[end - 1U] == 0U) { /* bound: OCEL_ROW_WORDS */
+        end--;
+    }
+    to->first = (uint16_t)first;
+    to->end = (uint16_t)end;
 }
 
 #endif

@@ -58,13 +58,24 @@ static inline uint32_t count_bits(ocel_word_t bits) {
     return count;
 }
 
+static inline uint32_t lesser(uint32_t a, uint32_t b) {
+    return (a < b) ? a : b;
+}
+
+static inline uint32_t greater(uint32_t a, uint32_t b) {
+    return (a > b) ? a : b;
+}
+
+/* Where neither the row held nor the one above has a pixel nothing changes. */
 void ocel_specks_sweep(ocel_labeller_t *lab, ocel_crack_pool_t *pool) {
-    const uint32_t held_row = ocel_specks_row(lab, 1U);
-    const uint32_t *const above = &lab->rows[lab->above].word[1];
-    uint32_t *const held = &lab->rows[held_row].word[1];
+    const ocel_bit_row_t *const above_row = &lab->rows[lab->above];
+    ocel_bit_row_t *const held_row = &lab->rows[ocel_specks_row(lab, 1U)];
+    const uint32_t *const above = &above_row->word[1];
+    uint32_t *const held = &held_row->word[1];
     const uint32_t *const below = &lab->rows[ocel_specks_row(lab, 2U)].word[1];
     const ocel_word_t invert = (ocel_word_t)lab->reach - 1U;
-    const uint32_t words = ocel_run_words(lab->width);
+    const uint32_t first = lesser(held_row->first, above_row->first);
+    const uint32_t end = greater(held_row->end, above_row->end);
     const ocel_word_t no_singles = (lab->best.area == 0U) ? ~(ocel_word_t)0U : 0U;
     ocel_ended_t nobody = {NULL, 0U};
     uint32_t holes[OCEL_ROW_WORDS + 1];
@@ -72,7 +83,7 @@ void ocel_specks_sweep(ocel_labeller_t *lab, ocel_crack_pool_t *pool) {
     uint32_t filled = 0U;
     uint32_t singles = 0U;
 
-    for (uint32_t k = 0U; k < words; k += OCEL_RUN_WORDS) { /* bound: OCEL_ROW_WORDS */
+    for (uint32_t k = first; k < end; k += OCEL_RUN_WORDS) { /* bound: OCEL_ROW_WORDS */
         const ocel_word_t up = ocel_run_load(&above[k]);
         const ocel_word_t bits = ocel_run_load(&held[k]);
         ocel_word_t flips = 0U;
@@ -87,13 +98,13 @@ void ocel_specks_sweep(ocel_labeller_t *lab, ocel_crack_pool_t *pool) {
         changes |= bits ^ flips ^ up;
         ocel_run_store(&holes[k], flips & ~bits);
     }
-    holes[words] = 1U;
+    holes[end] = 1U;
     lab->stats.runs += filled + singles;
     lab->stats.components += singles;
-    lab->above = (uint16_t)held_row;
+    lab->above = (uint16_t)ocel_specks_row(lab, 1U);
     if ((changes == 0U) && (filled == 0U)) {
         ocel_sweep_repeat(lab, pool);
     } else {
-        ocel_sweep_row(lab, pool, &held[-1], (filled != 0U) ? holes : NULL, &nobody);
+        ocel_sweep_row(lab, pool, (filled != 0U) ? &holes[held_row->first] : NULL, &nobody);
     }
 }

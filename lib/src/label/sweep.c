@@ -181,16 +181,17 @@ static inline uint16_t *find_edges(const uint32_t *row, uint32_t first, uint32_t
 
 /* Takes the row's runs from left to right; returns how many. */
 static inline uint32_t sweep_words(ocel_labeller_t *lab, ocel_crack_pool_t *pool, sweep_t *s,
-                                   const uint32_t *row, ocel_ended_t *ended) {
-    const uint32_t words = ((uint32_t)lab->width >> 5U) + 1U;
+                                   ocel_ended_t *ended) {
+    const ocel_bit_row_t *const row = &lab->rows[lab->above];
+    const uint32_t words = (uint32_t)row->end + 1U; /* a run may end in the next one's bit 0 */
     uint16_t edge[(32U * CHUNK_WORDS) + 1U];
     uint32_t runs = 0U;
     uint32_t open = 0U; /* 1: edge[0] is the start of a run that has not ended yet */
 
-    for (uint32_t k = 0U; k < words; k += CHUNK_WORDS) { /* bound: OCEL_ROW_WORDS */
+    for (uint32_t k = row->first; k < words; k += CHUNK_WORDS) { /* bound: OCEL_ROW_WORDS */
         const uint32_t rest = words - k;
         const uint32_t end = k + ((rest < CHUNK_WORDS) ? rest : CHUNK_WORDS);
-        const uint16_t *const past = find_edges(row, k, end, &edge[open]);
+        const uint16_t *const past = find_edges(row->word, k, end, &edge[open]);
         const uint16_t *at = edge;
 
         while (&at[1] < past) { /* bound: OCEL_MAX_RUNS */
@@ -241,6 +242,7 @@ static void add_rows(ocel_labeller_t *lab, const uint32_t *holes, const ocel_row
     ocel_run_t *run = &lab->frontier[lab->first_run];
 
     if (holes != NULL) {
+        scan.base = 32U * lab->rows[lab->above].first;
         scan.bits = holes[0];
         next_hole(&scan);
     }
@@ -270,8 +272,8 @@ static void add_rows(ocel_labeller_t *lab, const uint32_t *holes, const ocel_row
     }
 }
 
-void ocel_sweep_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32_t *row,
-                    const uint32_t *holes, ocel_ended_t *ended) {
+void ocel_sweep_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32_t *holes,
+                    ocel_ended_t *ended) {
     ocel_run_t *const first = ocel_frontier_after(lab, &lab->frontier[lab->last_run]);
     sweep_t s = {
         &lab->frontier[lab->first_run], first, 0U, 0U, OCEL_NO_CELL, OCEL_NO_CELL, lab->reach};
@@ -282,7 +284,7 @@ void ocel_sweep_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32_
         add_rows(lab, NULL, &lab->repeats);
         lab->repeats = none;
     }
-    lab->runs = (uint16_t)sweep_words(lab, pool, &s, row, ended);
+    lab->runs = (uint16_t)sweep_words(lab, pool, &s, ended);
     link_right(pool, &s);
     if (s.parent->end != OCEL_ROW_END) {
         (void)ocel_frontier_end(lab, pool, s.parent, OCEL_ROW_END - 1U, ended);
