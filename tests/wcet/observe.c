@@ -18,5 +18,6 @@ int main(void) {
     worst_frames();
     worst_colours();
     worst_fits();
+    (void)ocel_status_name(OCEL_OVERFLOW);
     return 0;
 }

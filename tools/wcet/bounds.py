@@ -5,8 +5,9 @@ A loop of the code is told to be one of the source by the branches that leave it
 those that go back: each is of the line of a loop's head (its condition), in a
 function or in an inlined copy of one.  What the compiler makes of a loop of the
 source (unrolled, peeled, split, once more for another case) goes round at most as
-often, so each piece gets the whole bound.  A loop that is none of the source's, as
-the compiler's own copying would be, has no bound and is refused.
+often, so each piece gets the whole bound.  A loop that is none of the source's is one
+in which the compiler copies a struct: its rounds follow from its registers (values.py),
+or it is refused.
 """
 import collections
 
@@ -87,8 +88,12 @@ class Matched:
         self.instances, self.rounds, self.limits, self.bodies = instances, rounds, limits, bodies
 
     @property
+    def only(self):
+        """The loop of the source in its copy, where there is one only, or None."""
+        return next(iter(self.instances)) if len(self.instances) == 1 else None
+
+    @property
     def loop(self):
-        """The loop of the source, where there is one only."""
         return next(iter(self.instances)).loop
 
 
@@ -104,7 +109,7 @@ class Matcher:
         at = " in ".join(f"{f.path.name if f.path else '?'}:{f.line}" for f in reversed(frames))
         return f"{flow.name}: at {insn.address:#x} ({at})"
 
-    def _nest(self, flow, insn):
+    def nest(self, flow, insn):
         """[(instance, in its head)] of an instruction, outer loops first."""
         nest = []
         for frame in self.lines.frames(flow.function.address, insn.address):
@@ -122,35 +127,40 @@ class Matcher:
                 votes.append(nest[-1][0])
         return votes
 
-    def match(self, flow):
-        """Loop of flow -> Matched."""
+    def match(self, flow, values):
+        """Loop of flow -> Matched.  `values` gives what is known of a flow's registers."""
         cache = {}
 
         def nests(insn):
             if insn.address not in cache:
-                cache[insn.address] = self._nest(flow, insn)
+                cache[insn.address] = self.nest(flow, insn)
             return cache[insn.address]
 
         instances = {}
         for loop in reversed(flow.loops):       # inner ones first
             inner = {i for child in loop.children for i in instances[child]}
             instances[loop] = self._told(flow, loop, nests, inner)
+        found = {}
         for loop in flow.loops:                 # outer ones first
-            if not instances[loop]:
-                around = instances[loop.parent] if loop.parent else set()
+            if instances[loop]:
+                found[loop] = self._bound(flow, loop, nests, instances[loop])
+                continue
+            around = instances[loop.parent] if loop.parent else set()
+            copied = values(flow).rounds(loop)
+            if copied is not None:              # it copies a struct: its body begins it
+                found[loop] = Matched({Instance(loop.header, None)}, copied, [], [loop.header])
+            else:
                 instances[loop] = self._by_majority(flow, loop, nests, around)
-        return {loop: self._bound(flow, loop, nests, instances[loop]) for loop in flow.loops}
+                found[loop] = self._bound(flow, loop, nests, instances[loop])
+        return found
 
     def _told(self, flow, loop, nests, inner):
-        """Instances in whose heads the loop is left, or gone back."""
+        """Instances in whose heads the loop is left, or gone back: any of them may be it."""
         leaving = [place for place in loop.own()
                    if any(edge.target not in loop.body for edge in flow.edges[place])]
-        for places in (leaving, loop.latches):
-            votes = self._votes(nests, places, flow)
-            chosen = {vote for vote in votes if vote not in inner} or set(votes)
-            if chosen:
-                return chosen
-        return set()
+        votes = {vote for places in (leaving, loop.latches)
+                 for vote in self._votes(nests, places, flow)}
+        return {vote for vote in votes if vote not in inner} or votes
 
     def _by_majority(self, flow, loop, nests, around):
         """A loop that neither a condition leaves nor one repeats: a part of one of the
@@ -164,7 +174,11 @@ class Matcher:
                 counts.update(instance for instance, _ in nests(insn))
                 lines.add(self.lines.place(insn.address))
         chosen = {instance for instance, count in counts.items() if 2 * count > size}
-        if not chosen or len(lines) < 2:
+        if loop.children and not chosen:
+            # It is what a loop within it is, or one that this is in.
+            chosen = {instance for child in loop.children for place in child.latches
+                      for instance, _ in nests(flow.blocks[place].last)}
+        if not chosen or (len(lines) < 2 and not loop.children):
             raise Refused(f"{self._where(flow, flow.blocks[loop.header].insns[0])}: "
                           "a loop that is none of the source's")
         outside = set()
@@ -191,9 +205,14 @@ class Matcher:
                   if self._is_body(flow, place, nests, instances)] if len(instances) == 1 else []
         return Matched(instances, rounds, limits, bodies)
 
+    def inlined_at(self, flow, insn):
+        """Names of the functions of which an instruction is an inlined part."""
+        frames = self.lines.frames(flow.function.address, insn.address)
+        return tuple(frame.name for frame in frames if frame.name)
+
     def innermost(self, flow, insn):
         """The innermost loop of the source that an instruction is in, or None."""
-        nest = self._nest(flow, insn)
+        nest = self.nest(flow, insn)
         return nest[-1][0] if nest else None
 
     def statements(self, flow):

@@ -98,8 +98,11 @@ class Program:
 
     def _read_symbols(self, elf):
         self._sizes, mapping, found = {}, [], {}
+        code = {i for i, section in enumerate(elf.iter_sections()) if section["sh_flags"] & 4}
         for symbol in elf.get_section_by_name(".symtab").iter_symbols():
             kind, value = symbol["st_info"]["type"], symbol["st_value"]
+            if symbol["st_shndx"] not in code:
+                continue
             if symbol.name[:2] in ("$t", "$d", "$a"):
                 mapping.append((value, symbol.name[1]))
             elif kind == "STT_FUNC":

@@ -109,7 +109,8 @@ class Flow:
         for insn in insns.values():
             if insn.kind in ("jump", "call", "trap"):
                 leaders.add(insn.address + insn.size)
-            if insn.kind == "jump" and insn.target is not None and self._inside(insn.target):
+            if insn.kind in ("jump", "call") and insn.target is not None and \
+                    self._inside(insn.target):
                 leaders.add(insn.target)
         return leaders
 
@@ -137,6 +138,9 @@ class Flow:
         block = self.blocks[place]
         last = block.last
         after = (last.address + last.size, 0)
+        if last.kind == "call" and self._inside(last.target) and \
+                last.target != self.function.address:
+            return [Edge(place, (last.target, 0), False)]   # Armv6-M's far jump is a BL
         if last.kind == "call":
             block.callee = self._callee(last)
             return [Edge(place, after, False)]
@@ -170,6 +174,17 @@ class Flow:
 
     def successors(self, place):
         return [edge.target for edge in self.edges[place] if edge.target is not EXIT]
+
+    def first_of(self, places):
+        """Of some places that which is fewest blocks away from the entry."""
+        distance, waiting = {self.entry: 0}, collections.deque([self.entry])
+        while waiting:
+            place = waiting.popleft()
+            for target in self.successors(place):
+                if target not in distance:
+                    distance[target] = distance[place] + 1
+                    waiting.append(target)
+        return min(places, key=lambda place: (distance[place], place))
 
     def entering(self, places, at=None):
         """Edges that come into a set of places from outside, all or those to one of them."""

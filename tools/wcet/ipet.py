@@ -15,9 +15,10 @@ import numpy
 from scipy.optimize import linprog
 from scipy.sparse import coo_array
 
-from . import constants, helpers, timing
+from . import helpers, timing
 from .code import Refused
 from .flow import EXIT, Flow
+from .values import Values
 
 MODELS = ("insn", "typ", "max")
 
@@ -27,10 +28,11 @@ def _plus(a, b):
 
 
 class _Clone:
-    """A function's flow, taken into a program: the first variable of its edges."""
+    """A function's flow, taken into a program: the first variable of its edges.  inlined:
+    the functions that the place of its call is an inlined part of."""
 
-    def __init__(self, flow, parent, first):
-        self.flow, self.parent = flow, parent
+    def __init__(self, flow, parent, first, inlined=()):
+        self.flow, self.parent, self.inlined = flow, parent, inlined
         self.entry = first      # the variable that says how often it is called
         self.variable = {}
         for place in flow.blocks:
@@ -62,6 +64,16 @@ class _Clone:
         return clone
 
 
+    def is_called_by(self, names):
+        """Whether it is executed for a call of one of these, be they inlined or not."""
+        clone = self
+        while clone is not None:
+            if clone.flow.name in names or set(clone.inlined) & set(names):
+                return True
+            clone = clone.parent
+        return False
+
+
 class _Rows:
     """Constraints, row by row: variables and their factors, and the right side."""
 
@@ -86,7 +98,7 @@ class Analysis:
     def __init__(self, program, matcher, core):
         self.program, self.matcher, self.core = program, matcher, core
         self.table = timing.OF_COMPILER[core]
-        self._flows, self._matched, self._statements = {}, {}, {}
+        self._flows, self._matched, self._statements, self._values = {}, {}, {}, {}
         self._bounds, self._scopes = {}, {}
         self._pending = []
         self._costs = {}
@@ -98,9 +110,14 @@ class Analysis:
             self._flows[name] = Flow(self.program, name)
         return self._flows[name]
 
+    def values(self, flow):
+        if flow.name not in self._values:
+            self._values[flow.name] = Values(flow)
+        return self._values[flow.name]
+
     def matched(self, name):
         if name not in self._matched:
-            self._matched[name] = self.matcher.match(self.flow(name))
+            self._matched[name] = self.matcher.match(self.flow(name), self.values)
         return self._matched[name]
 
     def statements(self, name):
@@ -130,8 +147,10 @@ class Analysis:
             if name in self._pending:
                 raise Refused("recursion: " + " -> ".join([*self._pending, name]))
             self._pending.append(name)
-            self._bounds[key] = self._solve(name, count)
-            self._pending.pop()
+            try:
+                self._bounds[key] = self._solve(name, count)
+            finally:
+                self._pending.pop()
         return self._bounds[key]
 
     # ---- Costs ----
@@ -151,13 +170,13 @@ class Analysis:
             total = _plus(total, self._insn_cost(insn)[0])
         return total
 
-    def _callee_cost(self, flow, place, known):
+    def _callee_cost(self, flow, place):
         """Cost of what a block calls, by itself."""
         name = flow.blocks[place].callee
         helper = helpers.alias(self.program, name)
         if helper not in helpers.COPIES:
             return self.bound(name)
-        count = known(flow)[place].get("r2")
+        count = self.values(flow).constant(place, "r2")
         if count is None:
             last = flow.blocks[place].last
             frames = self.matcher.lines.frames(flow.function.address, last.address)
@@ -175,15 +194,9 @@ class Analysis:
         helper = helpers.alias(self.program, name)
         clones, equal, most = [], _Rows(), _Rows()
         costs = collections.defaultdict(lambda: (0, 0, 0))
-        states = {}
 
-        def known(flow):
-            if flow.name not in states:
-                states[flow.name] = constants.at_calls(flow)
-            return states[flow.name]
-
-        def take_in(function, parent, stack):
-            clone = _Clone(self.flow(function), parent, clones[-1].next if clones else 0)
+        def take_in(function, parent, stack, inlined=()):
+            clone = _Clone(self.flow(function), parent, clones[-1].next if clones else 0, inlined)
             clones.append(clone)
             flow = clone.flow
             for place, block in flow.blocks.items():
@@ -207,13 +220,15 @@ class Analysis:
             block = flow.blocks[place]
             calling = [clone.variable[(place, i)] for i, edge in enumerate(flow.edges[place])
                        if block.last.kind == "call" or edge.target is EXIT]
-            if self.scopes(block.callee) & set(stack):
+            inlined = self.matcher.inlined_at(flow, block.last)
+            inside = [*stack, *inlined]
+            if self.scopes(block.callee) & set(inside):
                 if block.callee in stack:
                     raise Refused("recursion: " + " -> ".join([*stack, block.callee]))
-                callee = take_in(block.callee, clone, [*stack, block.callee])
+                callee = take_in(block.callee, clone, [*inside, block.callee], inlined)
                 equal.add([(callee.entry, 1.0)] + [(v, -1.0) for v in calling])
                 return
-            cost = self._callee_cost(flow, place, known)
+            cost = self._callee_cost(flow, place)
             for variable in calling:
                 costs[variable] = _plus(costs[variable], cost)
 
@@ -256,6 +271,19 @@ class Analysis:
         for loop in loops:
             for place in self.matched(clone.flow.name)[loop].bodies:
                 most.add([(v, 1.0) for v in clone.into[place]] + come_to)
+            for child in loop.children:     # to come to a loop of the body is of the body
+                if self._is_of_body(clone, child, outermost):
+                    most.add([(v, 1.0) for v in clone.entering(child)] + come_to)
+
+    def _is_of_body(self, clone, child, outer):
+        """Whether a loop is of the source loop that stands in the body of the other's."""
+        matched = self.matched(clone.flow.name)
+        inner_loop, outer_loop = matched[child].only, matched[outer].only
+        if not inner_loop or not outer_loop:
+            return False
+        insn = clone.flow.blocks[child.header].insns[0]
+        nest = self.matcher.nest(clone.flow, insn)
+        return (outer_loop, False) in nest and matched[child].instances != matched[outer].instances
 
     def _rounds_of(self, clone, group):
         """Terms whose sum is a group's rounds."""
@@ -268,16 +296,33 @@ class Analysis:
     def _bound_loops(self, clone, most):
         """Rounds of each loop, each time it is come to and in all rounds of the one
         around."""
+        unrolled = collections.defaultdict(list)
         for group in self._groups(clone):
             outermost = group[0]
             bound = self.matched(clone.flow.name)[outermost]
             rounds = min([bound.rounds] + [limit for clause, limit in bound.limits
-                                           if clause.scope == "each" and clone.within(clause.names)])
+                                           if clause.scope == "each" and
+                                           self._is_executed_by(clone, outermost, clause.names)])
             self._limit(clone, group, rounds, clone.entering(outermost), most)
             for clause, limit in bound.limits:
                 if clause.scope == "outer" and outermost.parent:
                     around = self._outermost(clone, outermost.parent)
                     self._limit(clone, group, limit, clone.entering(around), most)
+                elif clause.scope == "outer" and self._is_unrolled_once(clone, outermost):
+                    unrolled[(bound.only, limit)] += self._rounds_of(clone, group)
+        for (_, limit), terms in unrolled.items():
+            most.add(terms + [(clone.entry, -float(limit))])
+
+    def _is_unrolled_once(self, clone, loop):
+        """Whether the loop around one of the source was unrolled altogether and is in no
+        other: then all that is left of the inner one is of one time through it."""
+        insn = clone.flow.blocks[min(loop.latches)].last
+        return len(self.matcher.nest(clone.flow, insn)) == 2
+
+    def _is_executed_by(self, clone, loop, names):
+        insn = clone.flow.blocks[loop.header].insns[0]
+        return clone.is_called_by(names) or \
+            bool(set(self.matcher.inlined_at(clone.flow, insn)) & set(names))
 
     def _outermost(self, clone, loop):
         matched = self.matched(clone.flow.name)
@@ -294,10 +339,24 @@ class Analysis:
                 for clause, limit in bound.limits:
                     whole = clone.within(clause.names)
                     if clause.scope == "total" and whole:
-                        over[(whole, bound.loop, limit)].append((clone, group))
-        for (whole, _, limit), parts in over.items():
-            most.add([term for clone, group in parts for term in self._rounds_of(clone, group)] +
-                     [(whole.entry, -float(limit))])
+                        for key in {bound.loop, clause.group or bound.loop}:
+                            over[(whole, key, limit)] += self._rounds_of(clone, group)
+        self._add_up_groups(clones, over)
+        for (whole, _, limit), terms in over.items():
+            most.add(terms + [(whole.entry, -float(limit))])
+
+    def _add_up_groups(self, clones, over):
+        """Statements that are counted among a group: each by the first of its places, which
+        is executed no more often than it."""
+        for clone in clones:
+            for note, path, calls, others in self.statements(clone.flow.name):
+                for clause in note.clauses:
+                    whole = clone.within(clause.names)
+                    if clause.group and whole:
+                        limit = self.matcher.annotations.value(path, clause)
+                        first = clone.flow.first_of(calls + others)
+                        over[(whole, clause.group, limit)] += [
+                            (v, 1.0) for v in clone.into[first]]
 
     def _bound_statements(self, clones, most):
         """Executions of statements: of their calls together, and of each place of what was
@@ -348,7 +407,7 @@ class Analysis:
                 self.last = (clones, costs, solved.x)
         return tuple(answer)
 
-    def explain(self, name, lines):
+    def explain(self, name):
         """Where the worst path of a function, as it was solved last, spends its instructions:
         [(instructions, executions, function, source line)], most first."""
         self._bounds.pop((name, None), None)
@@ -358,7 +417,7 @@ class Analysis:
         for clone in clones:
             for place, block in clone.flow.blocks.items():
                 times = sum(counts[v] for v in clone.into[place])
-                path, line = lines.place(block.last.address)
+                path, line = self.matcher.lines.place(block.last.address)
                 cost = sum(counts[v] * costs[v][0] for v in clone.into[place])
                 cost += sum(counts[v] * costs[v][0] for (source, _), v in clone.variable.items()
                             if source == place and clone.flow.edges[place] and

@@ -6,10 +6,19 @@ import pathlib
 
 from elftools.elf.elffile import ELFFile
 
-Frame = collections.namedtuple("Frame", "instance path line")
-"""A line in a function or, by `instance`, in one inlined copy of it."""
+Frame = collections.namedtuple("Frame", "instance path line name")
+"""A line in a function or, by `instance`, in one inlined copy of the function `name`."""
 
-_Inlined = collections.namedtuple("_Inlined", "instance ranges depth call_path call_line")
+_Inlined = collections.namedtuple("_Inlined", "instance ranges depth call_path call_line name")
+
+
+def _name_of(die):
+    """Name of what was inlined."""
+    while "DW_AT_name" not in die.attributes:
+        if "DW_AT_abstract_origin" not in die.attributes:
+            return ""
+        die = die.get_DIE_from_attribute("DW_AT_abstract_origin")
+    return die.attributes["DW_AT_name"].value.decode()
 
 
 def _ranges_of(die, unit, unit_base, range_lists):
@@ -81,7 +90,7 @@ class Lines:
                 call_line = child.attributes["DW_AT_call_line"].value
                 self._inlined[function].append(_Inlined(
                     child.offset, _ranges_of(child, child.cu, base, range_lists), depth,
-                    paths.get(call_file), call_line))
+                    paths.get(call_file), call_line, _name_of(child)))
                 self._read_inlined(child, function, depth + 1, paths, base, range_lists)
             elif child.tag == "DW_TAG_lexical_block":
                 self._read_inlined(child, function, depth, paths, base, range_lists)
@@ -97,9 +106,9 @@ class Lines:
         calls = sorted((inlined for inlined in self._inlined.get(function, ())
                         if any(a <= address < b for a, b in inlined.ranges)),
                        key=lambda inlined: inlined.depth)
-        instances = [function, *(inlined.instance for inlined in calls)]
+        copies = [(function, "")] + [(inlined.instance, inlined.name) for inlined in calls]
         places = [(inlined.call_path, inlined.call_line) for inlined in calls] + [(path, line)]
-        return [Frame(instance, *place) for instance, place in zip(instances, places)]
+        return [Frame(instance, *place, name) for (instance, name), place in zip(copies, places)]
 
 
 def _paths(top, program):

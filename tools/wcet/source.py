@@ -8,13 +8,14 @@ The language of the comments, which check_loops.py holds:
                            the innermost loop that it is in is come to
   /* bytes: E words */     beside memcpy or memset: the most that n is
 
-E is an expression of integers and constants with + - * / and parentheses, as the
-preprocessor and the compiler see it there; `= 32` after it says what it comes to.
+E is an expression of integers, constants and sizeof(type) with + - * / and parentheses,
+as the preprocessor and the compiler see it there; `= 32` after it says what it comes to.
 Words, of small letters, say why.  Further clauses follow after `;`, each with a
 place at its end for which it holds:
 
   E words in all rounds of the outer loop       the rounds added up
   E words in a call of NAME                     the same
+  E words as GROUP in a call of NAME            the same, all of the group added up too
   E words each time in a call of NAME           each time, when that function is calling
 
 NAME may be several, with `or` between.
@@ -26,16 +27,16 @@ import re
 TOKEN = re.compile(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'', re.DOTALL)
 COMMENT = re.compile(r"/\*\s*(bound|bytes|at most):\s*(.*?)\s*\*/", re.DOTALL)
 HEAD = re.compile(r"\b(for|while)\s*\(|\bdo\s*\{")
-_ATOM = r"\(*\s*(?:\d+U?|[A-Z][A-Z0-9_]*)\b(?:\s*\))*"
+_ATOM = r"\(*\s*(?:sizeof\(\w+\)|(?:\d+U?|[A-Z][A-Z0-9_]*)\b)(?:\s*\))*"
 EXPRESSION = re.compile(rf"{_ATOM}(?:\s*[-+*/]\s*{_ATOM})*")
 VALUE = re.compile(r"\s*=\s*(\d+)\b")
 OUTER = re.compile(r"\bin all rounds of the outer loop$")
-CALL = re.compile(r"(\beach time )?\bin a call of (\w+(?: or \w+)*)$")
+CALL = re.compile(r"(\beach time )?(?:\bas (\w+) )?\bin a call of (\w+(?: or \w+)*)$")
 WORDS = re.compile(r"[a-z0-9 ,'()-]*$")
 
-Clause = collections.namedtuple("Clause", "expression value scope names")
+Clause = collections.namedtuple("Clause", "expression value scope names group")
 """scope: entry (each time), outer (in all rounds of the outer loop), total or each (in a
-call of one of the functions `names`); value: what `= N` says."""
+call of one of the functions `names`); value: what `= N` says; group: of a total, or None."""
 
 Note = collections.namedtuple("Note", "kind first last clauses")
 """A comment: kind is bound, at most or bytes; its lines, from 1."""
@@ -73,16 +74,17 @@ def read_clause(text):
     rest = text[match.end():]
     value = VALUE.match(rest)
     rest = rest[value.end() if value else 0:].strip()
-    scope, names = "entry", ()
+    scope, names, group = "entry", (), None
     call, outer = CALL.search(rest), OUTER.search(rest)
     if outer:
         scope, rest = "outer", rest[:outer.start()]
     elif call:
-        scope, names = "each" if call.group(1) else "total", tuple(call.group(2).split(" or "))
-        rest = rest[:call.start()]
+        scope, group = "each" if call.group(1) else "total", call.group(2)
+        names, rest = tuple(call.group(3).split(" or ")), rest[:call.start()]
     if not WORDS.match(rest):
         raise Malformed(f"`{rest}` after the expression: words only")
-    return Clause(match.group().strip(), int(value.group(1)) if value else None, scope, names)
+    return Clause(match.group().strip(), int(value.group(1)) if value else None, scope, names,
+                  group)
 
 
 _FIRST = {"bound": ("entry", "outer"), "bytes": ("entry",), "at most": ("entry", "total")}
