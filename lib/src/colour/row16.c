@@ -112,29 +112,23 @@ static inline uint32_t table_bits(const uint32_t *word, const uint8_t *group) {
 
 /* Most of a background is too dark, too bright or too much of one channel all over
  * a group: a glance at the group's bits together takes a third of what looking all up
- * takes.  Where a group's last pixel is in range the next group has some most likely. */
+ * takes. */
 void ocel_row16_table(const ocel_row16_table_t *table, const uint8_t *line, uint32_t pixels,
                       uint32_t *row) {
     const glance_t glance = glance_of(table);
+    const uint32_t *const word = table->word;
     const uint8_t *const end = &line[2U * pixels];
     const uint8_t *group = line;
 
     while (group != end) { /* bound: OCEL_MAX_WIDTH / TABLE_GROUP */
-        bool may = may_be_in(&glance, group);
+        const bool may = may_be_in(&glance, group);
 
         group = &group[TABLE_GROUP_BYTES];
-        /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; OCEL_MAX_WIDTH / TABLE_GROUP in all rounds of
-         * the outer loop */
-        while (may) {
+        if (may) {
             const ptrdiff_t past = group - line;
             const uint32_t x = ((uint32_t)past / 2U) - TABLE_GROUP;
-            const uint32_t bits = table_bits(table->word, &line[2U * x]);
 
-            put(row, x, bits);
-            may = ((bits >> (TABLE_GROUP - 1U)) != 0U) && (group != end);
-            if (may) {
-                group = &group[TABLE_GROUP_BYTES];
-            }
+            put(row, x, table_bits(word, &line[2U * x]));
         }
     }
 }
