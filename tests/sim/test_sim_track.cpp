@@ -6,6 +6,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "frames.hpp"
+#include "random.hpp"
 #include "track_loop.hpp"
 #include "video.hpp"
 
@@ -103,6 +104,12 @@ void test_held_is_20_px_in_both_pictures(void) {
     TEST_ASSERT_FALSE(judged(judge, 0, Vec3(6, 0, 3.5 + 20.1 * reach)).held);
     TEST_ASSERT_DOUBLE_WITHIN(0.001, 20.1,
                               off_middle(judged(judge, 0, Vec3(6, 20.1 * reach, 3.5))));
+    TrackFrame frame{};
+    for (const Side farther : {kLeft, kRight}) {
+        frame.offset[farther] = cv::Point2d(3, 4);
+        frame.offset[1 - farther] = cv::Point2d(0, 1);
+        TEST_ASSERT_EQUAL_DOUBLE(5.0, off_middle(frame));
+    }
 }
 
 // ---- The loop ----
@@ -156,8 +163,26 @@ void test_each_joint_turns_towards_the_ball(void) {
     TEST_ASSERT_TRUE(far[kLeftPan] > radians(0.3) && far[kRightPan] < -radians(0.3));
 }
 
-// The ball is where no head can look: joints go to their limits and stay there, and the
-// library takes what the encoders read.
+// Bullet's limits give way a little: what the library is told does not pass its own.
+void test_what_the_library_is_told_is_within_its_limits(void) {
+    Random random(5);
+    ocel_pose_t X_root_eye[OCEL_EYE_COUNT];
+    for (int i = 0; i < 200; ++i) {
+        JointAngles angles{};
+        for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+            const JointLimits limits = joint_limits(static_cast<Joint>(joint));
+            angles[joint] = random.uniform(limits.low - 0.1, limits.high + 0.1);
+        }
+        const LibraryJoints read = library_joints(angles);
+        const LibraryJoints told = library_joints_within_limits(angles);
+        TEST_ASSERT_EQUAL(OCEL_OK, ocel_head_forward(&ocel_head_paper, told.data(), X_root_eye));
+        if (ocel_head_forward(&ocel_head_paper, read.data(), X_root_eye) == OCEL_OK) {
+            TEST_ASSERT_TRUE(read == told);
+        }
+    }
+}
+
+// The ball is where no head can look: joints go to their limits and stay there.
 void test_limits_hold_in_the_loop(void) {
     TrackScenario scenario = still_scenario(Vec3(0.5, 5, 3.5));
     scenario.looks_at = Vec3(1.5, 3, 3.5);
@@ -240,6 +265,7 @@ int main() {
     RUN_TEST(test_frames_count_from_half_a_second_on);
     RUN_TEST(test_held_is_20_px_in_both_pictures);
     RUN_TEST(test_each_joint_turns_towards_the_ball);
+    RUN_TEST(test_what_the_library_is_told_is_within_its_limits);
     RUN_TEST(test_limits_hold_in_the_loop);
     RUN_TEST(test_looking_at_a_place);
     RUN_TEST(test_a_video_can_be_read);
