@@ -23,6 +23,7 @@ checks=(
     "readme     tools/check_readme.sh"
     "sizes      tools/sizes.sh --check README.md"
     "figures    tools/figures.sh --check README.md"
+    "tracking   tools/tracking.sh --check README.md"
     "selftest   tools/gate_selftest.sh"
 )
 
