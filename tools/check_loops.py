@@ -1,42 +1,29 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Claim: every loop of the library says its bound.
+"""Claim: every loop of the library says its bound, in words that tools/wcet.py reads.
 
-Each `for` and `while` in lib/src has a comment that begins `bound:` on its line
-or on the line before; a `do` has it at its `do` or at its closing `while`.
+Each `for` and `while` in lib/src has a comment that begins `bound:` on a line of its
+head or on the line before; a `do` has it at its `do` or at its closing `while`.  What
+stands in it, and in the `at most:` and `bytes:` comments beside statements, is in the
+language of tools/wcet/source.py: an expression of constants, then words.
 (That there is no goto is check_misra.sh's, no recursion stack.py's to say.)
 """
 import argparse
 import pathlib
-import re
 import sys
 
-LOOP = re.compile(r"\b(for|while)\s*\(")
-BOUND = re.compile(r"/\*\s*bound:\s*\S")
-TOKEN = re.compile(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'', re.DOTALL)
+sys.dont_write_bytecode = True
+
+from wcet import source  # noqa: E402
 
 
-def without_comments(text):
-    """The text with comments and literals blanked, line breaks kept."""
-    return TOKEN.sub(lambda m: re.sub(r"[^\n]", " ", m.group()), text)
-
-
-def check_text(name, text):
-    lines = text.splitlines()
-    # A comment of several lines belongs to the line on which it ends.
-    said = set()
-    for match in re.finditer(r"/\*.*?\*/", text, re.DOTALL):
-        if BOUND.search(match.group()):
-            first = text.count("\n", 0, match.start())
-            last = text.count("\n", 0, match.end())
-            said.update(range(first, last + 1))
-    errors, loops = [], 0
-    for number, code in enumerate(without_comments(text).splitlines()):
-        for _ in LOOP.finditer(code):
-            loops += 1
-            if number not in said and number - 1 not in said:
-                errors.append(f"{name}:{number + 1}: no `bound:` comment: {lines[number].strip()}")
-    return loops, errors
+def check_file(path, name):
+    try:
+        loops, _ = source.read_loops(path)
+    except source.Malformed as error:
+        return 0, [f"{name}: {error}"]
+    return len(loops), [f"{name}:{loop.line}: no `bound:` comment"
+                        for loop in loops if loop.note is None]
 
 
 def main():
@@ -46,14 +33,15 @@ def main():
     root = pathlib.Path(__file__).resolve().parent.parent
     loops, errors = 0, []
     for path in sorted((root / "lib" / "src").glob("**/*.[ch]")):
-        found, bad = check_text(path.relative_to(root), path.read_text())
+        found, bad = check_file(path, path.relative_to(root))
         loops += found
         errors += bad
     for error in errors:
         print(error, file=sys.stderr)
     if errors:
-        print(f"check_loops: FAILED, {len(errors)} of {loops} loops without a bound; write "
-              "/* bound: a named constant or the image size */ beside each", file=sys.stderr)
+        print(f"check_loops: FAILED, {len(errors)} of {loops} loops without a bound that can be "
+              "read; write /* bound: a named constant or the image size */ beside each",
+              file=sys.stderr)
         return 1
     print(f"check_loops: {loops} loops, each with its bound")
     return 0

@@ -152,7 +152,21 @@ class Matcher:
             else:
                 instances[loop] = self._by_majority(flow, loop, nests, around)
                 found[loop] = self._bound(flow, loop, nests, instances[loop])
+                found[loop].limits += self._shared_limits(instances[loop], around)
         return found
+
+    def _shared_limits(self, instances, around):
+        """Of a loop that may be the one around it, or one that stands in that: in all
+        rounds of the one around it goes round as often as the one, or the other, may."""
+        inner = instances - around
+        if len(instances) != 2 or len(inner) != 1 or len(instances & around) != 1:
+            return []
+        (inner,), (outer,) = inner, instances & around
+        if inner.loop.parent is not outer.loop or inner.copy != outer.copy:
+            return []
+        once = self.annotations.value(outer.loop.path, outer.loop.note.clauses[0])
+        return [(clause, max(once, self.annotations.value(inner.loop.path, clause)))
+                for clause in inner.loop.note.clauses if clause.scope == "outer"]
 
     def _told(self, flow, loop, nests, inner):
         """Instances in whose heads the loop is left, or gone back: any of them may be it."""
@@ -222,13 +236,15 @@ class Matcher:
         found = collections.defaultdict(lambda: ([], []))
         for place, block in flow.blocks.items():
             for insn in block.insns:
-                if insn.kind != "call" and not _touches_memory(insn):
+                calls_here = insn.kind == "call" or (
+                    insn is block.last and block.callee and not insn.conditional)
+                if not calls_here and not _touches_memory(insn):
                     continue
                 frames = self.lines.frames(flow.function.address, insn.address)
                 for i, frame in enumerate(frames):
                     for note in self.annotations.statement_notes(frame.path, frame.line):
                         calls, others = found[(note, frame.path)]
-                        if insn.kind == "call" and i + 1 == len(frames):
+                        if calls_here and i + 1 == len(frames):
                             calls.append(place)
                         elif place not in others and not any(
                                 self.annotations.loops_at(f.path, f.line) for f in frames[i + 1:]):

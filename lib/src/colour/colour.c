@@ -332,10 +332,13 @@ static ocel_pixel_t read_rgb(const ocel_colour_t *colour, const uint8_t *line, u
 /* Clears the bits of the pixels that are not in range after all. */
 static void decide_line(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
                         uint32_t *row) {
-    for (uint32_t x0 = 0U; x0 < pixels; x0 += 32U) { /* bound: OCEL_ROW_WORDS */
+    /* bound: OCEL_ROW_WORDS; 1 each time in a call of do_tail */
+    for (uint32_t x0 = 0U; x0 < pixels; x0 += 32U) {
         uint32_t passed = row[x0 >> 5U];
 
-        while (passed != 0U) { /* bound: 32 bits of a word */
+        /* bound: 32 bits of a word; 16 each time in a call of do_tail;
+         * OCEL_MAX_WIDTH in all rounds of the outer loop */
+        while (passed != 0U) {
             const uint32_t k = ocel_ctz32(passed);
             const ocel_pixel_t rgb = read_rgb(colour, line, x0 + k);
 
@@ -363,6 +366,7 @@ static void do_tail(const ocel_colour_t *colour, const uint8_t *tail, uint16_t c
     uint32_t bits = 0U;
 
     (void)memset(copy, 0, sizeof(copy));
+    /* bytes: 45, fifteen pixels */
     (void)memcpy(copy, tail, ocel_colour_line_bytes(colour->format, count));
     do_line(colour, copy, GROUP, &bits);
     bits &= (1U << (uint32_t)count) - 1U;
@@ -399,6 +403,7 @@ ocel_status_t ocel_colour_row(const ocel_colour_t *colour, const uint8_t *line, 
         const uint16_t whole = (uint16_t)(width - tail);
         const size_t words = ((size_t)width + 31U) / 32U;
 
+        /* bytes: 4 * OCEL_ROW_WORDS */
         (void)memset(row, 0, words * sizeof(row[0]));
         do_line(colour, line, whole, row);
         if (tail > 0U) {

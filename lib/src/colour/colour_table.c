@@ -40,6 +40,7 @@ ocel_status_t ocel_colour_table_row(const ocel_colour_table_t *table, const uint
         const uint32_t whole = (uint32_t)width - tail;
         const ocel_row16_table_t colours = {table->word, table->least, table->headroom};
 
+        /* bytes: 4 * OCEL_ROW_WORDS */
         (void)memset(row, 0, (((size_t)width + 31U) / 32U) * sizeof(row[0]));
         ocel_row16_table(&colours, line, whole, row);
         if (tail > 0U) {

@@ -120,7 +120,8 @@ void ocel_row16_table(const ocel_row16_table_t *table, const uint8_t *line, uint
     const uint8_t *const end = &line[2U * pixels];
     const uint8_t *group = line;
 
-    while (group != end) { /* bound: OCEL_MAX_WIDTH / TABLE_GROUP */
+    /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail */
+    while (group != end) {
         const bool may = may_be_in(&glance, group);
 
         group = &group[TABLE_GROUP_BYTES];
@@ -162,7 +163,8 @@ void ocel_row16_yuyv(const uint32_t lanes[3][4], const uint8_t *line, uint32_t p
     const ocel_lane_range_t uv = ocel_lane_range(lanes[1]);
     const uint8_t *group = line;
 
-    for (uint32_t x = 0U; x < pixels; x += OCEL_GROUP) { /* bound: OCEL_MAX_WIDTH / OCEL_GROUP */
+    /* bound: OCEL_MAX_WIDTH / OCEL_GROUP; 16 / OCEL_GROUP each time in a call of do_tail */
+    for (uint32_t x = 0U; x < pixels; x += OCEL_GROUP) {
         const ocel_word_t odd = take_odd(group);
         const ocel_word_t half = (odd >> 1U) & OCEL_LOW_SEVEN;
 
@@ -181,7 +183,8 @@ void ocel_row16_yuyv(const uint32_t lanes[3][4], const uint8_t *line, uint32_t p
 void ocel_row8_gray(const uint32_t lanes[4], const uint8_t *line, uint32_t pixels, uint32_t *row) {
     const ocel_lane_range_t range = ocel_lane_range(lanes);
 
-    for (uint32_t x = 0U; x < pixels; x += OCEL_GROUP) { /* bound: OCEL_MAX_WIDTH / OCEL_GROUP */
+    /* bound: OCEL_MAX_WIDTH / OCEL_GROUP; 16 / OCEL_GROUP each time in a call of do_tail */
+    for (uint32_t x = 0U; x < pixels; x += OCEL_GROUP) {
         const ocel_word_t bytes = ocel_load_word(&line[x]);
         const ocel_word_t half = (bytes >> 1U) & OCEL_LOW_SEVEN;
 

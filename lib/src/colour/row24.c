@@ -80,7 +80,8 @@ static inline uint32_t look_on(const glance_t *first, const uint8_t *line, uint3
     const uint8_t *group = line;
     uint32_t left = pairs;
 
-    while (left > 0U) { /* bound: OCEL_MAX_WIDTH / (2 * OCEL_GROUP) */
+    /* bound: OCEL_MAX_WIDTH / (2 * OCEL_GROUP); 8 / OCEL_GROUP each time in a call of do_tail */
+    while (left > 0U) {
         if (glance_pair(first, group) != 0U) {
             break;
         }
@@ -235,7 +236,8 @@ static void box_from(const glance_t *first, const uint32_t lanes[3][4], const ui
     const bool exact = (test0.range.begin_odd | test0.range.end_odd) == 0U;
     const uint8_t *group = &line[PIXEL_BYTES * x0];
 
-    for (uint32_t x = x0; x < pixels; x += OCEL_GROUP) { /* bound: OCEL_MAX_WIDTH / OCEL_GROUP */
+    /* bound: OCEL_MAX_WIDTH / OCEL_GROUP; 16 / OCEL_GROUP each time in a call of do_tail */
+    for (uint32_t x = x0; x < pixels; x += OCEL_GROUP) {
         ocel_word_t in = glance(first, group) & OCEL_TOP_BITS;
 
         if (in != 0U) {

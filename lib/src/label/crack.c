@@ -33,7 +33,9 @@ void ocel_crack_give_from(ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger, 
         uint32_t tail = head;
         uint32_t link = ocel_crack_link(pool, head);
 
-        while (link != OCEL_NO_CELL) { /* bound: OCEL_MAX_CRACKS */
+        /* bound: OCEL_MAX_CRACKS; OCEL_MAX_CRACKS + 4 * OCEL_MAX_RUNS in a call of
+         * ocel_sweep_row or ocel_sweep_repeat */
+        while (link != OCEL_NO_CELL) {
             tail = link;
             link = ocel_crack_link(pool, link);
         }
@@ -141,7 +143,9 @@ static inline void put_horizontal(point_sink_t *sink, uint32_t from, uint32_t to
     const uint32_t columns = distance(from, to);
     int32_t x_hpx = (2 * (int32_t)from) + ((from < to) ? 0 : -2);
 
-    for (uint32_t i = 0U; i < columns; i++) { /* bound: OCEL_MAX_WIDTH */
+    /* bound: OCEL_MAX_WIDTH; OCEL_MAX_WIDTH * (OCEL_MAX_HEIGHT + 1) in a call of
+     * ocel_crack_unroll */
+    for (uint32_t i = 0U; i < columns; i++) {
         put_point(sink, x_hpx, y_hpx);
         x_hpx += step;
     }

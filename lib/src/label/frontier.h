@@ -84,11 +84,12 @@ static inline uint32_t ocel_frontier_root(ocel_labeller_t *lab, ocel_crack_pool_
                                           ocel_run_t *run) {
     const uint32_t label = run->label;
 
+    /* at most: OCEL_MAX_RUNS in a call of ocel_sweep_row */
     return (lab->parent[label] == label) ? label : ocel_frontier_settle(lab, pool, run);
 }
 
-/* Merges two components, the one with fewer runs in the frontier into the other;
- * lost if one was.  Returns the root. */
+/* Merges two components, the one with fewer pixels into the other; lost if one
+ * was.  Returns the root. */
 uint32_t ocel_frontier_unite(ocel_labeller_t *lab, uint32_t a, uint32_t b);
 
 /* The root of a label that has been merged away. */

@@ -31,6 +31,8 @@ static void take_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32
     lab->held_empty = is_empty ? 1U : 0U;
     if ((ended->blob != NULL) || (row == NULL)) {
         lab->above = (uint16_t)ocel_specks_row(lab, 1U);
+        /* at most: 1 in a call of ocel_label_row or ocel_label_end; 0 in a call of ocel_eye_row;
+         * 0 in a call of ocel_eye_line; 1 in a call of ocel_eye_frame */
         ocel_sweep_row(lab, pool, NULL, ended);
     }
 }

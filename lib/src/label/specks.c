@@ -52,7 +52,8 @@ static inline ocel_word_t specks(const uint32_t *above, const uint32_t *held, co
 static inline uint32_t count_bits(ocel_word_t bits) {
     uint32_t count = 0U;
 
-    for (ocel_word_t rest = bits; rest != 0U; rest &= rest - 1U) { /* bound: OCEL_WORD_BITS */
+    /* bound: OCEL_WORD_BITS; OCEL_MAX_RUNS in a call of ocel_specks_sweep */
+    for (ocel_word_t rest = bits; rest != 0U; rest &= rest - 1U) {
         count++;
     }
     return count;

@@ -112,7 +112,7 @@ static inline void continue_component(ocel_labeller_t *lab, ocel_crack_pool_t *p
     const uint32_t touch_end = end + s->reach;
     ocel_crack_pair_t pair = {OCEL_NO_CELL, OCEL_NO_CELL};
 
-    /* bound: OCEL_MAX_RUNS */
+    /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS as parents in a call of ocel_sweep_row */
     while ((touch_end > s->reach_end) && (s->parent->start < touch_end)) {
         absorb_parent(lab, pool, s);
     }
@@ -142,6 +142,7 @@ static inline void sweep_run(ocel_labeller_t *lab, ocel_crack_pool_t *pool, swee
         has_parent = s->parent->start < touch_end;
         if (has_parent) {
             s->root = ocel_frontier_root(lab, pool, s->parent);
+            /* at most: OCEL_MAX_RUNS as parents in a call of ocel_sweep_row */
             after = s->parent->head;
             take_parent(lab, s);
         }
@@ -166,11 +167,14 @@ static inline uint16_t *find_edges(const uint32_t *row, uint32_t first, uint32_t
                                    uint16_t *edge) {
     uint16_t *at = edge;
 
-    for (uint32_t k = first; k < end; k += OCEL_RUN_WORDS) { /* bound: CHUNK_WORDS */
+    /* bound: CHUNK_WORDS; OCEL_ROW_WORDS + 1 in a call of ocel_sweep_row */
+    for (uint32_t k = first; k < end; k += OCEL_RUN_WORDS) {
         const ocel_word_t word = ocel_run_load(&row[k + 1U]);
         ocel_word_t bits = word ^ ((word << 1U) | (row[k] >> 31U));
 
-        while (bits != 0U) { /* bound: OCEL_WORD_BITS */
+        /* bound: OCEL_WORD_BITS; 2 * OCEL_MAX_RUNS in a call of ocel_sweep_row;
+         * 2 * OCEL_MAX_RUNS in a call of ocel_label_end */
+        while (bits != 0U) {
             *at = (uint16_t)((k << 5U) + ocel_run_lowest(bits));
             at = &at[1];
             bits &= bits - 1U;
@@ -188,13 +192,16 @@ static inline uint32_t sweep_words(ocel_labeller_t *lab, ocel_crack_pool_t *pool
     uint32_t runs = 0U;
     uint32_t open = 0U; /* 1: edge[0] is the start of a run that has not ended yet */
 
-    for (uint32_t k = row->first; k < words; k += CHUNK_WORDS) { /* bound: OCEL_ROW_WORDS */
+    /* bound: (OCEL_ROW_WORDS + CHUNK_WORDS) / CHUNK_WORDS */
+    for (uint32_t k = row->first; k < words; k += CHUNK_WORDS) {
         const uint32_t rest = words - k;
         const uint32_t end = k + ((rest < CHUNK_WORDS) ? rest : CHUNK_WORDS);
         const uint16_t *const past = find_edges(row->word, k, end, &edge[open]);
         const uint16_t *at = edge;
 
-        while (&at[1] < past) { /* bound: OCEL_MAX_RUNS */
+        /* bound: OCEL_MAX_RUNS in all rounds of the outer loop; OCEL_MAX_RUNS in a call of
+         * ocel_label_end */
+        while (&at[1] < past) {
             sweep_run(lab, pool, s, at[0], at[1], ended);
             at = &at[2];
             runs++;
@@ -222,7 +229,8 @@ typedef struct {
 } hole_scan_t;
 
 static inline void next_hole(hole_scan_t *scan) {
-    while (scan->bits == 0U) { /* bound: OCEL_ROW_WORDS */
+    /* bound: OCEL_ROW_WORDS; OCEL_ROW_WORDS in a call of ocel_sweep_row */
+    while (scan->bits == 0U) {
         scan->word++;
         scan->bits = *scan->word;
         scan->base += 32U;
@@ -257,16 +265,18 @@ static void add_rows(ocel_labeller_t *lab, const uint32_t *holes, const ocel_row
             ocel_row_sums_t sums = {0U, 0U, 0U};
             uint32_t end;
 
+            /* bound: OCEL_MAX_RUNS in all rounds of the outer loop */
             do {
                 end = (uint32_t)run->end - reach;
                 ocel_row_sums_add(&sums, run->start, end);
-                while (scan.column < end) { /* bound: OCEL_MAX_WIDTH */
+                /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS in a call of ocel_sweep_row */
+                while (scan.column < end) {
                     ocel_row_sums_drop(&sums, scan.column);
                     next_hole(&scan);
                 }
                 run->label = (uint16_t)root;
                 run = ocel_frontier_after(lab, run);
-            } while (run->label == label); /* bound: OCEL_MAX_RUNS */
+            } while (run->label == label);
             ocel_component_add(&lab->component[root], &sums, left, end, rows);
         }
     }
