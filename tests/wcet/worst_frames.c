@@ -98,6 +98,11 @@ static bool is_meander(int32_t x, int32_t y) {
     return tooth || ((y >= 122) && (y < 124) && (x < (4 * teeth)));
 }
 
+/* Every second row, joined at an end: the longest boundary there is. */
+static bool is_lines(int32_t x, int32_t y) {
+    return ((y % 2) == 0) || (x == 0);
+}
+
 /* Few rows, as wide as can be: cracks along the rows. */
 static bool is_wide(int32_t x, int32_t y) {
     const int32_t lap = y % 4;
@@ -163,6 +168,20 @@ static void look(ocel_connectivity_t connectivity) {
     (void)ocel_eye_refit(&eye, &again, &detection);
 }
 
+/* A lens's rays take the longest. */
+static void look_through_lens(void) {
+    static const ocel_intrinsics_t lens = {
+        277 * 65536, 277 * 65536, 160 * 65536, 120 * 65536, -1677722, 335544,
+        16777,       -8389,       0,           0,           0};
+    ocel_camera_t camera;
+    ocel_detection_t detection;
+    ocel_cone_t cone;
+
+    (void)ocel_camera_init(&camera, &lens);
+    (void)ocel_eye_frame(&eye, &colour, &frame[0][0], sizeof(frame[0]), &detection);
+    (void)ocel_eye_cone(&eye, &camera, &detection, &cone);
+}
+
 static void scene(scene_kind_t kind) {
     const scene_t drawn = {kind, WIDTH, HEIGHT, 71U};
     for (int32_t y = 0; y < HEIGHT; y++) {
@@ -189,6 +208,9 @@ void worst_frames(void) {
     for (size_t i = 0U; i < sizeof(masks) / sizeof(masks[0]); i++) {
         draw(masks[i]);
         take(true);
+        if (masks[i] == is_fingers) {
+            look_through_lens();
+        }
     }
     scene(SCENE_SALT);
     take(true);

@@ -141,7 +141,7 @@ static void drop_edge_cracks(ocel_eye_t *eye) {
     const uint32_t first = eye->boundary_first;
     uint32_t kept = 0U;
 
-    for (uint32_t i = 0U; i < eye->boundary_count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
+    for (uint32_t i = 0U; i < eye->boundary_count; i++) { /* bound: OCEL_MAX_CRACKS */
         const ocel_crack_t crack = eye->pool.cells[first + i];
 
         if (!is_on_edge(eye, crack)) {

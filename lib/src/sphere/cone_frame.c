@@ -136,12 +136,14 @@ static void box_of(const ocel_cone_source_t *source, int32_t x_px_q16[2], int32_
     const int32_t unit_q16 = (source->points != NULL) ? 1 : 32768;
 
     if (source->points != NULL) {
-        for (uint32_t i = 0U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
+        /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_cone */
+        for (uint32_t i = 0U; i < source->count; i++) {
             widen(x, source->points[i].x_px_q16);
             widen(y, source->points[i].y_px_q16);
         }
     } else {
-        for (uint32_t i = 0U; i < source->count; i++) { /* bound: OCEL_MAX_FIT_POINTS */
+        /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_cone */
+        for (uint32_t i = 0U; i < source->count; i++) {
             widen(x, source->cracks[i].x_hpx);
             widen(y, source->cracks[i].y_hpx);
         }

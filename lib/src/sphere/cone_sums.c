@@ -111,7 +111,8 @@ bool ocel_cone_sum(const ocel_cone_source_t *source, const ocel_cone_guess_t *gu
     map_of(source, guess, &map);
     (void)memset(sums, 0, sizeof(*sums));
     sums->r_px_q16 = map.r_px_q16;
-    for (uint32_t i = 0U; seen && (i < source->count); i++) { /* bound: OCEL_MAX_FIT_POINTS */
+    /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_cone */
+    for (uint32_t i = 0U; seen && (i < source->count); i++) {
         int32_t ab[2];
 
         seen = ocel_cone_take(source, i, ab);
