@@ -95,12 +95,13 @@ void run_thresholds(const Plan &plan, const PaperArguments &arguments) {
     write_text(arguments.out + "/" + kThresholdFile, table.dump(1) + "\n");
 }
 
-Json run_tracks(const Plan &plan, const PaperArguments &arguments) {
+Json run_tracks(const Plan &plan, const PaperArguments &arguments, std::uint32_t &violations) {
     Json clock = Json::object();
     for (const TrackScenario &scenario : plan.tracks) {
         const TrackResult result = run_track(
             scenario, {arguments.sweep.seed, arguments.out + "/" + scenario.name, arguments.video});
         fmt::print("{}", track_table(result));
+        violations += result.summary["checks"]["violations"].get<std::uint32_t>();
         clock[scenario.name] = {
             {"frames_per_second", static_cast<double>(result.frames.size()) / result.times.loop},
             {"library_share", result.times.library / result.times.loop}};
@@ -113,16 +114,18 @@ void run_paper(const PaperArguments &arguments) {
     const Plan plan = read_plan(arguments.scenarios);
     make_folder(arguments.out);
     const auto begin = std::chrono::steady_clock::now();
+    std::uint32_t violations = 0;
     for (const Scenario &scenario : plan.sweeps) {
         fmt::print("\n{}\n", scenario.name);
-        run_scenario(scenario, arguments.sweep, arguments.out + "/" + scenario.name);
+        violations += run_scenario(scenario, arguments.sweep, arguments.out + "/" + scenario.name);
     }
     run_thresholds(plan, arguments);
-    Json clock{{"tracks", run_tracks(plan, arguments)}};
+    Json clock{{"tracks", run_tracks(plan, arguments, violations)}};
     clock["seconds"] =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     write_text(arguments.out + "/" + kClockFile, clock.dump(1) + "\n");
     fmt::print("\nreport: {}\n", write_report(arguments.out));
+    fail_on_violations(violations);
 }
 
 } // namespace

@@ -44,7 +44,8 @@ void run(const RunArguments &arguments) {
     if (!arguments.sweep.record_dir.empty() && arguments.sweep.jobs != 1) {
         throw cli::InputError("--record: its files take the frames in order; expected --jobs 1");
     }
-    run_scenario(read_scenario(arguments.scenario), arguments.sweep, arguments.out);
+    fail_on_violations(
+        run_scenario(read_scenario(arguments.scenario), arguments.sweep, arguments.out));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <memory>
 
+#include "checks.hpp"
 #include "commands.hpp"
 #include "track.hpp"
 
@@ -46,6 +47,7 @@ void track(const TrackArguments &arguments) {
                1e3 * result.times.loop / frames, 100.0 * result.times.library / result.times.loop);
     fmt::print("{}/frames.csv {}/summary.json {}/pictures/{}\n", out, out, out,
                arguments.options.video ? " " + out + "/track.mp4" : "");
+    fail_on_violations(result.summary["checks"]["violations"]);
 }
 
 } // namespace

@@ -16,8 +16,19 @@ namespace sim {
 std::string csv_of(const Scenario &scenario, std::uint64_t seed,
                    const std::vector<TrialRecord> &records);
 
+// Its records, from what csv_of wrote; `name` is for messages.  Numbers have the ten
+// digits that they were written with, and so has what is made of them: csv_of gives
+// the same text again.  cli::InputError when it is anything else.
+std::vector<TrialRecord> records_of_csv(const std::string &text, const std::string &name);
+
+// A function of trials.csv: `records` are those of records_of_csv.
 nlohmann::ordered_json summary_of(const Scenario &scenario, std::uint64_t seed,
                                   const std::vector<TrialRecord> &records);
+
+// Writes trials.csv and summary.json to the folder `out`; returns the summary.
+nlohmann::ordered_json write_results(const Scenario &scenario, std::uint64_t seed,
+                                     const std::vector<TrialRecord> &records,
+                                     const std::string &out);
 
 // Makes the folder that an option names, unless it is there.  cli::InputError when it
 // cannot be.

@@ -185,6 +185,14 @@ Json method_json(const Scenario &scenario, std::size_t index,
     return object;
 }
 
+CheckTally tally_of(const std::vector<TrialRecord> &records) {
+    CheckTally tally{};
+    for (const TrialRecord &record : records) {
+        tally.add(record.checks);
+    }
+    return tally;
+}
+
 // What a reader of the figures must know of how they were made.
 Json setting_json(const Scenario &scenario) {
     const Intrinsics &camera = scenario.camera.intrinsics;
@@ -208,12 +216,14 @@ Json setting_json(const Scenario &scenario) {
 
 Json summary_of(const Scenario &scenario, std::uint64_t seed,
                 const std::vector<TrialRecord> &records) {
-    Json summary{{"scenario", scenario.name},
-                 {"seed", seed},
-                 {"trials", records.size()},
-                 {"varied", scenario.varied == Varied::kDistance ? "distance" : "occlusion"},
-                 {"points", scenario.points},
-                 {"setting", setting_json(scenario)}};
+    Json summary{
+        {"scenario", scenario.name},
+        {"seed", seed},
+        {"trials", records.size()},
+        {"varied", scenario.varied == Varied::kDistance ? "distance" : "occlusion"},
+        {"points", scenario.points},
+        {"setting", setting_json(scenario)},
+        {"checks", checks_json(tally_of(records), count_bounds(scenario.camera.intrinsics))}};
     summary["methods"] = Json::object();
     for (std::size_t i = 0; i < scenario.methods.size(); ++i) {
         summary["methods"][method_name(scenario.methods[i])] = method_json(scenario, i, records);

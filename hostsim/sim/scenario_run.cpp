@@ -53,7 +53,8 @@ RunOptions options_of(const Scenario &scenario, const SweepChoice &choice, const
 
 } // namespace
 
-void run_scenario(const Scenario &scenario, const SweepChoice &choice, const std::string &out) {
+std::uint32_t run_scenario(const Scenario &scenario, const SweepChoice &choice,
+                           const std::string &out) {
     make_folder(out + "/pictures");
     if (!choice.record_dir.empty()) {
         make_folder(choice.record_dir, "--record");
@@ -62,13 +63,12 @@ void run_scenario(const Scenario &scenario, const SweepChoice &choice, const std
     const std::vector<TrialRecord> records =
         run_trials(scenario, options_of(scenario, choice, out));
     const double seconds = seconds_since(begin);
-    const nlohmann::ordered_json summary = summary_of(scenario, choice.seed, records);
-    write_text(out + "/trials.csv", csv_of(scenario, choice.seed, records));
-    write_text(out + "/summary.json", summary.dump(1) + "\n");
+    const nlohmann::ordered_json summary = write_results(scenario, choice.seed, records, out);
     print_result(summary);
     fmt::print("{} trials, {} stereo frames in {:.1f} s: {}/trials.csv {}/summary.json "
                "{}/pictures/\n",
                records.size(), stereo_frames(records), seconds, out, out, out);
+    return summary["checks"]["violations"];
 }
 
 void add_sweep_options(CLI::App &command, SweepChoice &choice) {

@@ -16,8 +16,10 @@ namespace sim {
 void add_sweep_options(CLI::App &command, SweepChoice &choice);
 
 // Runs all trials, writes trials.csv, summary.json and pictures/ to `out`, and prints
-// how the methods did.
-void run_scenario(const Scenario &scenario, const SweepChoice &choice, const std::string &out);
+// how the methods did.  Returns how many checks on the way failed, for
+// fail_on_violations().
+std::uint32_t run_scenario(const Scenario &scenario, const SweepChoice &choice,
+                           const std::string &out);
 
 } // namespace sim
 

@@ -69,6 +69,7 @@ TrackResult run_track(const TrackScenario &scenario, const TrackOptions &options
         progress.advance();
     }
     result.summary = track_summary(scenario, options.seed, result.frames);
+    result.summary["checks"] = checks_json(loop.checks(), count_bounds(scenario.camera.intrinsics));
     result.times = loop.times();
     write_text(options.out + "/frames.csv", track_csv(result.frames));
     write_text(options.out + "/summary.json", result.summary.dump(1) + "\n");

@@ -2,6 +2,7 @@
 #include "track_loop.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 #include "frames.hpp"
 #include "stage.hpp"
@@ -109,7 +110,7 @@ JointAngles looking_at(Head &head, const Vec3 &p_world) {
 TrackLoop::TrackLoop(const TrackScenario &scenario, std::uint64_t seed)
     : scenario_(scenario), seed_(seed), world_(ball_body(scenario, seed)),
       renderer_(scenario.camera.intrinsics, scenario.camera.supersampling, scenario.camera.shutter),
-      pilot_(scenario), judge_(scenario) {
+      pilot_(scenario), judge_(scenario), checks_(count_bounds(scenario.camera.intrinsics)) {
     Random push(seed_of(scenario, seed, kEdge));
     Random clutter(seed_of(scenario, seed, kClutter));
     v_start_ = jittered(scenario.ball.v_world, scenario.ball.jitter_v, push);
@@ -129,6 +130,7 @@ int TrackLoop::frame_count() const {
 TrackFrame TrackLoop::step() {
     TrackFrame frame = true_frame();
     react(frame);
+    check();
     take_down(sighting_, frame);
     ++frame_;
     return frame;
@@ -215,7 +217,17 @@ void TrackLoop::expose() {
     for (const Side side : {kLeft, kRight}) {
         const auto draw = mixed_seed(kNoise, static_cast<unsigned>(frame_ * kSides + side));
         images_[side] = picture(side);
+        seen_area_[side] = renderer_.seen_area();
         add_noise(scenario_.camera.noise, seed_of(scenario_, seed_, draw), images_[side]);
+    }
+}
+
+void TrackLoop::check() {
+    for (const Side side : {kLeft, kRight}) {
+        checks_.check(fmt::format("{}, frame {}, {} eye", scenario_.name, frame_,
+                                  side == kLeft ? "left" : "right"),
+                      sight_of(pilot_.detection(side), sighting_.cone[side], sighting_.eye[side],
+                               seen_area_[side]));
     }
 }
 

@@ -4,6 +4,7 @@
 #ifndef OCELLUS_SIM_TRACK_LOOP_HPP
 #define OCELLUS_SIM_TRACK_LOOP_HPP
 
+#include "checks.hpp"
 #include "renderer.hpp"
 #include "track_pilot.hpp"
 #include "track_truth.hpp"
@@ -42,6 +43,11 @@ class TrackLoop {
         return now_.X_world_cam;
     }
 
+    // Of every frame so far.
+    const CheckTally &checks() const {
+        return checks_.tally();
+    }
+
     TrackTimes times() const {
         return {loop_seconds_, pilot_.library_seconds()};
     }
@@ -50,6 +56,7 @@ class TrackLoop {
     cli::Image picture(Side side);
     View view_at(Side side, double step) const;
     void expose();
+    void check();
     void advance_and_note(int steps);
     std::int64_t time_us() const {
         return step_ * std::int64_t{1000};
@@ -67,9 +74,11 @@ class TrackLoop {
     Renderer renderer_;
     Pilot pilot_;
     TrackJudge judge_;
+    FrameChecks checks_;
     Drawing drawing_;
     std::array<cli::Image, kSides> images_;
-    Moment now_;                 // of the frame in hand
+    std::array<double, kSides> seen_area_{}; // px, of the ball in images_
+    Moment now_;                             // of the frame in hand
     std::vector<Moment> course_; // every step from the first on, for a shutter that takes time
     Sighting sighting_{};
     int frame_ = 0;

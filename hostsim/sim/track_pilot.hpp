@@ -40,6 +40,11 @@ class Pilot {
     // The motors' speeds from now on, the joints being where they are.
     JointAngles command(const JointAngles &angles, std::int64_t time_us);
 
+    // What an eye made of the last frame.
+    const ocel_detection_t &detection(Side side) const {
+        return detectors_[side]->detection();
+    }
+
     // s that the library itself has taken.
     double library_seconds() const {
         return library_seconds_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "trial.hpp"
 
+#include <fmt/format.h>
+
 #include "gaze.hpp"
 #include "trial_judge.hpp"
 #include "trial_occluder.hpp"
@@ -32,7 +34,8 @@ class Run {
         const std::array<std::unique_ptr<Detector>, kSides> &detectors, Recording *recording)
         : scenario_(scenario), key_(key), renderer_(renderer), detectors_(detectors),
           recording_(recording), p_true_(placement(scenario, key)),
-          world_(held_ball(scenario.target, p_true_)) {
+          world_(held_ball(scenario.target, p_true_)),
+          checks_(count_bounds(scenario.camera.intrinsics)) {
         Random clutter(seed_of(scenario, key, kClutter));
         drawing_ = make_drawing(scenario, p_true_, clutter);
     }
@@ -63,7 +66,13 @@ class Run {
         record.distance = scenario_.distance_at(key_.point);
         std::copy(p_true_.val, p_true_.val + 3, record.p_true);
         record.frames = frames_;
+        record.checks = checks_.tally();
         return record;
+    }
+
+    std::string place_of_frame(Side side) const {
+        return fmt::format("{}, point {}, trial {}, frame {}, {} eye", scenario_.name, key_.point,
+                           key_.trial, frames_, side == kLeft ? "left" : "right");
     }
 
     // A pair of frames, and what the library's eyes see in them.
@@ -76,6 +85,7 @@ class Run {
                               mixed_seed(kNoise, static_cast<unsigned>(frames_ * 2 + side))),
                       frame);
             detectors_[side]->look(frame);
+            checks_.check(place_of_frame(side), sight_of(*detectors_[side], renderer_.seen_area()));
         }
         if (recording_ != nullptr) {
             recording_->add({key_, frames_, frame_, detectors_, world_.head().angles()});
@@ -164,6 +174,7 @@ class Run {
     World world_;
     Drawing drawing_;
     std::array<cli::Image, kSides> frame_;
+    FrameChecks checks_;
     int frames_ = 0;
 };
 

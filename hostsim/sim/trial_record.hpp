@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "checks.hpp"
 #include "methods.hpp"
 
 namespace sim {
@@ -39,6 +40,7 @@ struct TrialRecord {
     double occlusion; // as it came out, in the left eye
     double p_true[3];
     std::int32_t frames; // pairs drawn until the measured one, inclusive
+    CheckTally checks;   // of all of them, both eyes
     std::int32_t method_count;
     MethodRecord methods[kMethodCount];
 };

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """ocellus-sim as a program: help, mistakes, and that a run repeats itself."""
 
+import json
+
 from sim_program import SCENARIOS, SimTest
 
 # Where each wrong text stands is found by looking for it in the file.
@@ -88,6 +90,20 @@ class Program(SimTest):
             self.assertEqual(content["one"], content["again"], name)
             self.assertEqual(content["one"], content["two"], name)
             self.assertNotEqual(content["one"], content["other"], name)
+
+    def test_a_status_against_the_truth_is_told_and_fails_the_run(self):
+        # Eyes that take a distractor for the target, which is far to the side.
+        path = self.variant("c_distance.toml", ('size = "320x240"', 'size = "160x120"'),
+                            ("jitter = 0.1 ", "jitter = 1.0 "), ('"plain"', '"cluttered"'),
+                            ('"yuv:0-255,174-255,0-255"', '"hsv:345-15,100-255,50-255"'))
+        finished = self.run_program("run", path, "--out", "out", "--trials", 4)
+        self.assertEqual(finished.returncode, 2)
+        told = [line for line in finished.stderr.splitlines() if "not in view" in line]
+        self.assertRegex(told[0], "ocellus-sim: error: c_distance, point [0-9]+, trial [0-9], "
+                                  "frame 0, (left|right) eye: status ok, but the target")
+        checks = json.loads((self.folder / "out/summary.json").read_text())["checks"]
+        self.assertEqual(checks["violations"], len(told))
+        self.assertIn(f"{len(told)} of the library's bounds or statuses", finished.stderr)
 
     def test_a_trial_does_not_depend_on_those_before_it(self):
         path = SCENARIOS / "c_distance.toml"
