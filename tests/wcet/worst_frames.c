@@ -124,9 +124,9 @@ static bool is_everything(int32_t x, int32_t y) {
     return true;
 }
 
-static const mask_t masks[] = {is_tree,    is_staircase, is_growing, is_ladder,    is_mesh,
-                               is_brick,   is_diagonal,  is_specks,  is_holes,     is_cliff,
-                               is_meander, is_wide,      is_fingers, is_everything};
+static const mask_t masks[] = {is_tree,    is_staircase, is_growing, is_ladder,  is_mesh,
+                               is_brick,   is_diagonal,  is_specks,  is_holes,   is_cliff,
+                               is_meander, is_wide,      is_lines,   is_fingers, is_everything};
 
 /* ---- Through the library ---- */
 

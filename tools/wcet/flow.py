@@ -175,6 +175,16 @@ class Flow:
     def successors(self, place):
         return [edge.target for edge in self.edges[place] if edge.target is not EXIT]
 
+    def is_in_every_round(self, loop, place):
+        """Whether every way from a loop's header back to it goes through a place."""
+        reached, waiting = set(), [loop.header]
+        while waiting:
+            at = waiting.pop()
+            if at != place and at not in reached:
+                reached.add(at)
+                waiting += [t for t in self.successors(at) if t in loop.body and t != loop.header]
+        return not reached & loop.latches
+
     def first_of(self, places):
         """Of some places that which is fewest blocks away from the entry."""
         distance, waiting = {self.entry: 0}, collections.deque([self.entry])

@@ -286,8 +286,13 @@ class Analysis:
         return (outer_loop, False) in nest and matched[child].instances != matched[outer].instances
 
     def _rounds_of(self, clone, group):
-        """Terms whose sum is a group's rounds."""
+        """Terms whose sum is a group's rounds: executions of a block of the body that no round
+        goes past, or what goes back."""
         outermost, loops = group
+        if len(loops) == 1:
+            for place in self.matched(clone.flow.name)[outermost].bodies:
+                if clone.flow.is_in_every_round(outermost, place):
+                    return [(v, 1.0) for v in clone.into[place]]
         terms = [(v, 1.0) for loop in loops for v in clone.going_back(loop)]
         if outermost.header in self.matched(clone.flow.name)[outermost].bodies:
             terms += [(v, 1.0) for v in clone.entering(outermost)]

@@ -265,11 +265,13 @@ static void add_rows(ocel_labeller_t *lab, const uint32_t *holes, const ocel_row
             ocel_row_sums_t sums = {0U, 0U, 0U};
             uint32_t end;
 
-            /* bound: OCEL_MAX_RUNS in all rounds of the outer loop */
+            /* bound: OCEL_MAX_RUNS in all rounds of the outer loop;
+             * 2 * OCEL_MAX_RUNS as places in a call of ocel_sweep_row */
             do {
                 end = (uint32_t)run->end - reach;
                 ocel_row_sums_add(&sums, run->start, end);
-                /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS in a call of ocel_sweep_row */
+                /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS in a call of ocel_sweep_row;
+                 * 2 * OCEL_MAX_RUNS as places in a call of ocel_sweep_row */
                 while (scan.column < end) {
                     ocel_row_sums_drop(&sums, scan.column);
                     next_hole(&scan);
