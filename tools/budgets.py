@@ -4,12 +4,12 @@
 
 usage: tools/budgets.py --update [--build FOLDER] TARGET...
 
-A target is a preset (host, m0, m4 ...).  The file holds the instructions that were
-measured when they were recorded last; counts repeat exactly with one compiler, so a
-call that takes more than a margin over them fails its test (host: stage_cycles,
-boards: call_cost), and one that takes less by more than the margin asks to be
-recorded.  --update takes over what the target's last test reported in
-FOLDER/TARGET/reports; the commit message then says why.
+A target is a preset (host, m0, m4 ...), or the firmware's replay on one (m4-replay).
+The file holds the instructions that were measured when they were recorded last; counts
+repeat exactly with one compiler, so a call that takes more than a margin over them fails
+its test (host: stage_cycles, boards: call_cost, replay), and one that takes less by more
+than the margin asks to be recorded.  --update takes over what the target's last test
+reported in FOLDER/<preset>/reports; the commit message then says why.
 """
 import argparse
 import csv
@@ -20,14 +20,16 @@ FILE = pathlib.Path(__file__).resolve().parents[1] / "tests" / "budgets.csv"
 COLUMNS = ("target", "function", "input", "instructions")
 COMMENT = "# Instructions of each call when last recorded; tools/budgets.py tells the rule.\n"
 
-# The host's counts vary a little with the processor: the C library picks its memset by it.
-MARGIN_PERCENT = {"host": 10}
+# The host's counts vary a little with the processor, by which the C library picks its
+# memset; a replay's with what renders its frames.
+MARGIN_PERCENT = {"host": 10, "replay": 10}
 BOARD_MARGIN_PERCENT = 2
 LEAST_MARGIN = 8  # instructions: an alignment's, say, in a call that takes a hundred
 
 
 def margin(target, recorded):
-    return max(LEAST_MARGIN, recorded * MARGIN_PERCENT.get(target, BOARD_MARGIN_PERCENT) // 100)
+    percent = MARGIN_PERCENT.get(target.rpartition("-")[2], BOARD_MARGIN_PERCENT)
+    return max(LEAST_MARGIN, recorded * percent // 100)
 
 
 def read(path=FILE):
@@ -89,9 +91,10 @@ def report(target, measured, path=FILE):
 
 def reported(build, target):
     """What the target's last test measured."""
-    path = build / target / "reports" / f"calls_{target}.csv"
+    preset = target.partition("-")[0]
+    path = build / preset / "reports" / f"calls_{target}.csv"
     if not path.exists():
-        sys.exit(f"budgets: no {path}; run ctest --preset {target} first")
+        sys.exit(f"budgets: no {path}; run ctest --preset {preset} first")
     with path.open(newline="") as file:
         return {(target, row["function"], row["input"]): int(row["insn"])
                 for row in csv.DictReader(file) if row["insn"]}
