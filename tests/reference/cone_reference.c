@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { SAMPLES = 32, HYPOTHESES = 64, ROUNDS = 3, SECTORS = 32 };
+enum { SAMPLES = 32, HYPOTHESES = 32, ROUNDS = 3, SECTORS = 32 };
 
 #define PI 3.14159265358979323846
 
@@ -244,21 +244,51 @@ static bool guess(const ref_camera_t *camera, const ref_point_t *points, size_t 
 
 typedef struct {
     double distance[SECTORS];
+    double low[SECTORS];
+    double high[SECTORS];
     double inliers[SECTORS];
     double others[SECTORS];
+    bool mixed[SECTORS];
     double squares;
     size_t inlier_count;
     size_t outside;
+    bool cracks;
     double r_px;
 } sums_t;
+
+/* Half of a crack's extent across the outline, px; (x, y) is the outline's direction. */
+static double half_across(const ref_camera_t *camera, ref_point_t p, double x, double y) {
+    const double f = 0.5 * (camera->fx + camera->fy);
+    const bool along_x = fabs(p.x - floor(p.x) - 0.5) < 0.25;
+    return fmin(0.65, along_x ? 0.5 * fabs(x) * f / camera->fx : 0.5 * fabs(y) * f / camera->fy);
+}
+
+static void sum_point(sums_t *sums, int sector, double px, double half, double gate, bool beyond) {
+    if (fabs(px) <= gate + half) {
+        sums->inliers[sector] += 1.0;
+        sums->distance[sector] += px;
+        sums->low[sector] = fmax(sums->low[sector], px - half);
+        sums->high[sector] = fmin(sums->high[sector], px + half);
+        sums->squares += px * px;
+        sums->inlier_count++;
+    } else {
+        sums->others[sector] += 1.0;
+        sums->mixed[sector] = sums->mixed[sector] || (fabs(px) <= gate + half + 2.0);
+        sums->outside += (beyond && (fabs(px) > gate + half + 0.4)) ? 1U : 0U;
+    }
+}
 
 static void sum_points(const ref_camera_t *camera, const ref_point_t *points, size_t count,
                        const double axis[3], double tangent, double rms_px, sums_t *sums) {
     const frame_t frame = frame_of(axis);
     const double z0 = 1.0 / axis[2];
-    memset(sums, 0, sizeof(*sums));
     sums->r_px = 0.5 * (camera->fx + camera->fy) * tangent * z0 * z0;
-    const double gate = fmin(fmin(fmax(3.0 * rms_px, 0.6), 1.5), 0.25 * sums->r_px);
+    for (int k = 0; k < SECTORS; k++) {
+        sums->low[k] = -4.0;
+        sums->high[k] = 4.0;
+    }
+    const double gate =
+        fmin(fmin(fmax(3.0 * rms_px, 0.65), 1.5) - (sums->cracks ? 0.25 : 0.0), 0.25 * sums->r_px);
     for (size_t i = 0; i < count; i++) {
         double d[3];
         double p[3];
@@ -270,15 +300,8 @@ static void sum_points(const ref_camera_t *camera, const ref_point_t *points, si
         const double a = 0.5 * (x * x + y * y - z * z);
         const double px = (fabs(a) < 0.5) ? (a - 0.5 * a * a) * sums->r_px : 1e9;
         const int sector = (int)floor(atan2(y, x) / (2.0 * PI) * SECTORS + SECTORS) % SECTORS;
-        if (fabs(px) <= gate) {
-            sums->inliers[sector] += 1.0;
-            sums->distance[sector] += px;
-            sums->squares += px * px;
-            sums->inlier_count++;
-        } else {
-            sums->others[sector] += 1.0;
-            sums->outside += ((a > 0.0) && (fabs(px) > gate + 0.4)) ? 1U : 0U;
-        }
+        sum_point(sums, sector, px, sums->cracks ? half_across(camera, points[i], x, y) : 0.0, gate,
+                  a > 0.0);
     }
 }
 
@@ -302,37 +325,104 @@ static int sectors_of(const sums_t *sums) {
     return covered;
 }
 
-/* One step of Gauss and Newton from the sums, and what it is worth. */
+static double shift(const double x[3], int k) {
+    return x[0] * cos((k + 0.5) * 2.0 * PI / SECTORS) + x[1] * sin((k + 0.5) * 2.0 * PI / SECTORS) +
+           x[2];
+}
+
+/* least / variance by the library's line for a reciprocal: up to 12 % over it. */
+static double ratio(double least, double variance) {
+    const double power = exp2(floor(log2(variance)));
+    return least * 0.5 * (3.0 - variance / power) / power;
+}
+
+/* Sectors' estimates, and what each may be in. */
+typedef struct {
+    double d[SECTORS];
+    double width[SECTORS];
+    double least; /* variance */
+    int count;
+} estimates_t;
+
+static void estimate(const sums_t *sums, estimates_t *estimates) {
+    double overlap = 0.0;
+    estimates->count = 0;
+    for (int k = 0; k < SECTORS; k++) {
+        if (sums->inliers[k] > 0.0) {
+            const double low = sums->low[k];
+            const double high = sums->high[k];
+            estimates->width[k] = fabs(high - low);
+            estimates->d[k] = 0.5 * (low + high);
+            if (low > high) {
+                estimates->d[k] = fmax(high, fmin(low, sums->distance[k] / sums->inliers[k]));
+                overlap += low - high;
+            }
+            estimates->count++;
+        }
+    }
+    const double mean = 2.0 * overlap / fmax(1.0, estimates->count);
+    estimates->least = 1.0 / 256.0 + mean * mean;
+}
+
+static double weight(const sums_t *sums, const estimates_t *e, int k, double miss) {
+    const double few = 0.5 / exp2(floor(log2(sums->inliers[k])));
+    return !sums->cracks ? sums->inliers[k]
+                         : ratio(e->least, e->least + e->width[k] * e->width[k] + few * few +
+                                               9.0 * miss * miss + (sums->mixed[k] ? 0.25 : 0.0));
+}
+
+/* Weighted least squares, first by the sectors' own worth, then also by what each misses the
+ * step by; returns the misfit. */
+static bool solve(const sums_t *sums, const estimates_t *e, double x[3], double inverse[3][3],
+                  double *misfit) {
+    bool known = sums->inlier_count > 3U;
+    for (int round = 0; (round < 2) && known; round++) {
+        double m[3][3] = {{0.0}};
+        double b[3] = {0.0, 0.0, 0.0};
+        *misfit = 0.0;
+        for (int k = 0; k < SECTORS; k++) {
+            if (sums->inliers[k] > 0.0) {
+                const double j[3] = {cos((k + 0.5) * 2.0 * PI / SECTORS),
+                                     sin((k + 0.5) * 2.0 * PI / SECTORS), 1.0};
+                const double miss =
+                    fmin(2.0, fmax(0.0, fabs(e->d[k] - shift(x, k)) - 0.5 * e->width[k]));
+                const double w = weight(sums, e, k, (round == 0) ? 0.0 : miss);
+                for (int i = 0; i < 9; i++) {
+                    m[i / 3][i % 3] += w * j[i / 3] * j[i % 3];
+                }
+                for (int i = 0; i < 3; i++) {
+                    b[i] += w * e->d[k] * j[i];
+                }
+                *misfit += w * e->d[k] * e->d[k];
+            }
+        }
+        known = invert(m, inverse);
+        if (known) {
+            multiply(inverse, b, x);
+            *misfit -= x[0] * b[0] + x[1] * b[1] + x[2] * b[2];
+        }
+    }
+    return known;
+}
+
+/* The step from the sums, and what it is worth. */
 static void refine(const sums_t *sums, double axis[3], double tangent, size_t count,
                    ref_cone_t *cone) {
     const double open = 1.0 + tangent * tangent;
-    double m[3][3] = {{0.0}};
     double inverse[3][3];
-    double b[3] = {0.0, 0.0, 0.0};
     double x[3] = {0.0, 0.0, 0.0};
     double points = sums->squares;
     double sectors = 0.0;
+    double misfit = 0.0;
+    estimates_t estimates;
     const int covered = sectors_of(sums);
+    estimate(sums, &estimates);
+    const bool known = solve(sums, &estimates, x, inverse, &misfit);
     for (int k = 0; k < SECTORS; k++) {
-        const double j[3] = {cos((k + 0.5) * 2.0 * PI / SECTORS),
-                             sin((k + 0.5) * 2.0 * PI / SECTORS), 1.0};
-        for (int i = 0; i < 9; i++) {
-            m[i / 3][i % 3] += sums->inliers[k] * j[i / 3] * j[i % 3];
-        }
-        for (int i = 0; i < 3; i++) {
-            b[i] += sums->distance[k] * j[i];
-        }
-    }
-    const bool known = (sums->inlier_count > 3U) && invert(m, inverse);
-    if (known) {
-        multiply(inverse, b, x);
-    }
-    for (int k = 0; k < SECTORS; k++) {
-        const double step = x[0] * cos((k + 0.5) * 2.0 * PI / SECTORS) +
-                            x[1] * sin((k + 0.5) * 2.0 * PI / SECTORS) + x[2];
+        const double step = shift(x, k);
         const double left = sums->distance[k] - sums->inliers[k] * step;
-        points -= step * sums->distance[k];
-        sectors += left * left;
+        points -= step * (sums->distance[k] + left);
+        sectors += sums->mixed[k] ? 0.0 : left * left;
     }
     points = fmax(points, 0.0);
     const frame_t frame = frame_of(axis);
@@ -343,19 +433,19 @@ static void refine(const sums_t *sums, double axis[3], double tangent, size_t co
     cone->range_sigma = 1.0;
     if (known) {
         const double variance =
-            2.0 * fmax(points, sectors) / ((double)sums->inlier_count - 3.0) * inverse[2][2];
+            2.0 * fmax(misfit, 0.0) / fmax(1.0, estimates.count - 3.0) * inverse[2][2];
         cone->range_sigma = sqrt(variance) / (sums->r_px * open);
     }
     cone->inliers = sums->inlier_count;
     cone->rms_px = sqrt(points / fmax(1.0, (double)sums->inlier_count));
     cone->coverage = (double)covered / SECTORS;
-    cone->vouched = (4U * sums->inlier_count + 3U >= count) && (25U * sums->outside <= count) &&
+    cone->vouched = (2U * sums->inlier_count > count) && (25U * sums->outside <= count) &&
                     (covered >= 8) &&
                     (sectors <= 3.0 * points + (double)sums->inlier_count / 64.0) &&
-                    (cone->range_sigma <= 0.012) && (cone->rms_px <= 0.15 + 0.011 * covered);
+                    (cone->range_sigma <= 0.01) && (cone->rms_px <= 0.14 + 0.012 * covered);
 }
 
-bool ref_cone_fit(const ref_camera_t *camera, const ref_point_t *points, size_t count,
+bool ref_cone_fit(const ref_camera_t *camera, const ref_point_t *points, size_t count, bool cracks,
                   ref_cone_t *cone) {
     double axis[3];
     double tangent = 0.0;
@@ -364,6 +454,8 @@ bool ref_cone_fit(const ref_camera_t *camera, const ref_point_t *points, size_t 
     memset(cone, 0, sizeof(*cone));
     if (found) {
         sums_t sums;
+        memset(&sums, 0, sizeof(sums));
+        sums.cracks = cracks;
         sum_points(camera, points, count, axis, tangent, rms_px, &sums);
         refine(&sums, axis, tangent, count, cone);
     }

@@ -33,8 +33,9 @@ typedef struct {
     bool vouched;
 } ref_cone_t;
 
-/* False when no three of the samples determine a cone. */
-bool ref_cone_fit(const ref_camera_t *camera, const ref_point_t *points, size_t count,
+/* False when no three of the samples determine a cone.  Cracks are told by their midpoints:
+ * the coordinate along the crack is a half. */
+bool ref_cone_fit(const ref_camera_t *camera, const ref_point_t *points, size_t count, bool cracks,
                   ref_cone_t *cone);
 
 #ifdef __cplusplus

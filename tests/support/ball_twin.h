@@ -16,7 +16,7 @@ static inline bool scene_twin(const ocel_crack_t *cracks, size_t count, scene_ba
     const ref_camera_t camera = {SCENE_F_PX, SCENE_F_PX, SCENE_CX_PX, SCENE_CY_PX};
     ref_cone_t cone;
     fit_cracks_to_points(cracks, count, points);
-    const bool found = ref_cone_fit(&camera, points, count, &cone) && cone.vouched;
+    const bool found = ref_cone_fit(&camera, points, count, true, &cone) && cone.vouched;
     ball->radius = SCENE_RADIUS_MM;
     *inliers = found ? cone.inliers : 0U;
     for (int i = 0; (i < 3) && found; i++) {

@@ -221,7 +221,7 @@ static void look(const scene_t *scene, tally_t *fixed, tally_t *twin) {
         fixed->chi += e * e / variance;
     }
     fit_cracks_to_points(cracks, count, points);
-    if (ref_cone_fit(&ref_camera, points, count, &reference)) {
+    if (ref_cone_fit(&ref_camera, points, count, true, &reference)) {
         tally_add(twin, &reference, &scene->ball, reference.vouched);
     }
 }
@@ -311,20 +311,28 @@ static void order_does_not_matter_much(void) {
     TEST_ASSERT_TRUE(worst_px < 0.25);
 }
 
-static void points_and_cracks_give_the_same_bits(void) {
+/* A crack says between which two pixels the outline is, its midpoint only about where. */
+static void cracks_tell_more_than_their_midpoints(void) {
     static ocel_point_t points[MAX_POINTS];
-    const scene_t scene = hidden_scene(35.0, 0.2);
-    const ocel_crack_t *cracks = NULL;
-    const size_t count = boundary_of(&scene, &cracks);
-    ocel_cone_t of_cracks;
-    ocel_cone_t of_points;
-    for (size_t i = 0; i < count; i++) {
-        points[i].x_px_q16 = cracks[i].x_hpx * 32768;
-        points[i].y_px_q16 = cracks[i].y_hpx * 32768;
+    double of_cracks = 0.0;
+    double of_points = 0.0;
+    for (int i = 0; i < TRIALS / 4; i++) {
+        const scene_t scene = hidden_scene(35.0, 0.2 * (i % 2));
+        const ocel_crack_t *cracks = NULL;
+        const size_t count = boundary_of(&scene, &cracks);
+        const double sine = SCENE_RADIUS_MM / scene_norm(scene.ball.centre) * Q30;
+        ocel_cone_t cone;
+        for (size_t k = 0; k < count; k++) {
+            points[k].x_px_q16 = cracks[k].x_hpx * 32768;
+            points[k].y_px_q16 = cracks[k].y_hpx * 32768;
+        }
+        TEST_ASSERT_EQUAL_INT(OCEL_OK, ocel_cone_fit_cracks(&camera, cracks, count, &cone));
+        of_cracks += (cone.sin_q30 - sine) * (cone.sin_q30 - sine);
+        TEST_ASSERT_EQUAL_INT(OCEL_OK, ocel_cone_fit_points(&camera, points, count, &cone));
+        of_points += (cone.sin_q30 - sine) * (cone.sin_q30 - sine);
     }
-    TEST_ASSERT_EQUAL_INT(OCEL_OK, ocel_cone_fit_cracks(&camera, cracks, count, &of_cracks));
-    TEST_ASSERT_EQUAL_INT(OCEL_OK, ocel_cone_fit_points(&camera, points, count, &of_points));
-    TEST_ASSERT_EQUAL_MEMORY(&of_cracks, &of_points, sizeof(of_cracks));
+    printf("cracks: error %.2f of what their midpoints give\n", sqrt(of_cracks / of_points));
+    TEST_ASSERT_TRUE(of_cracks < 0.6 * of_points);
 }
 
 /* ---- Statuses ---- */
@@ -524,7 +532,7 @@ int main(void) {
     RUN_TEST(hidden_balls_keep_their_place);
     RUN_TEST(touching_balls_are_not_vouched_for_wrongly);
     RUN_TEST(order_does_not_matter_much);
-    RUN_TEST(points_and_cracks_give_the_same_bits);
+    RUN_TEST(cracks_tell_more_than_their_midpoints);
     RUN_TEST(short_arcs_are_partial);
     RUN_TEST(squares_are_not_balls);
     RUN_TEST(degenerate_points_have_their_status);

@@ -44,7 +44,7 @@ typedef struct {
  * OCEL_OK               vouched for: more than half of the points consent (inlier_count)
  *                       and cover a quarter of the turn; at most 1 in 25 lies outside; they
  *                       do not bend away together; the range's sigma is below 1 % and
- *                       rms below .15 px + .35 px * arc_coverage
+ *                       rms below .14 px + .384 px * arc_coverage
  * OCEL_PARTIAL          an estimate that fails one of these; cov is 1 where nothing
  *                       could be solved
  * OCEL_TOO_FEW_POINTS   count < OCEL_MIN_FIT_POINTS
@@ -57,7 +57,8 @@ typedef struct {
 ocel_status_t ocel_cone_fit_points(const ocel_camera_t *camera, const ocel_point_t *points,
                                    size_t count, ocel_cone_t *cone);
 
-/* The same for boundary cracks.  Same statuses. */
+/* The same for boundary cracks, of which it is also used between which two pixels each has
+ * the outline: half the error of their midpoints on a sharp mask.  Same statuses. */
 ocel_status_t ocel_cone_fit_cracks(const ocel_camera_t *camera, const ocel_crack_t *cracks,
                                    size_t count, ocel_cone_t *cone);
 

@@ -53,8 +53,9 @@
 
 /* Cones through three points that the robust fit tries (cone_vote.c).  Half of a
  * ball's outline hidden by a straight edge leaves 61 % of the boundary on it: the
- * rule of the triples then has 20 hypotheses of 64 wholly there. */
-#define OCEL_CONE_HYPOTHESES 64
+ * rule of the triples then has 10 hypotheses of 32 wholly there, and of points in any order
+ * one set of 32 in 4000 has none. */
+#define OCEL_CONE_HYPOTHESES 32
 
 /* Entries of the RGB565 colour table: one bit a colour, 32 blues a word. */
 #define OCEL_COLOUR_TABLE_WORDS 2048

@@ -111,7 +111,7 @@ static void bend_radially(const ocel_intrinsics_t *lens, const int64_t xy_q28[2]
  * Within 80 degrees: |l| <= 129, in Q52 below 2^59.1; g < 2^19.2; x' within 2^21.7;
  * x f' within 2^18.2 and the Jacobian within 2^22. */
 static void bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], bent_t *bent) {
-    const int64_t p_q24[2] = {lens->p2_q24, lens->p1_q24};
+    const int32_t p_q24[2] = {lens->p2_q24, lens->p1_q24};
     const int64_t s_q55 = square_q55(xy_q28);
     const int64_t g_q40 =
         bent->factor_q40 + ocel_asr64((xy_q28[0] * p_q24[0]) + (xy_q28[1] * p_q24[1]), 11U);
@@ -121,7 +121,8 @@ static void bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], bent_t 
         const int64_t x_q28 = xy_q28[i];
 
         turned_q40 = times_slope_q40(x_q28, bent->derivative_q40);
-        bent->xy_q40[i] = times_slope_q40(x_q28, g_q40) + times_q40(s_q55, p_q24[i] * 65536);
+        bent->xy_q40[i] =
+            times_slope_q40(x_q28, g_q40) + times_q40(s_q55, (int64_t)p_q24[i] * 65536);
         bent->j_q40[i] =
             g_q40 + (2 * times_slope_q40(x_q28, turned_q40)) + ocel_asr64(x_q28 * p_q24[i], 10U);
     }
@@ -145,30 +146,36 @@ void ocel_lens_bend(const ocel_intrinsics_t *lens, const int64_t xy_q28[2], int6
  *   J^-1 d = adj(J) d * y * 2^(e - 12),
  * from Q52 to Q28 a right shift by 8 or more.  A larger difference or a determinant
  * below 2^-16, at a fold, is given up. */
-static bool step(const bent_t *bent, const int64_t target_q28[2], int64_t xy_q28[2]) {
-    int64_t j_q24[J_COUNT];
-    int64_t d_q28[2];
+static bool step(const bent_t *bent, const int32_t target_q28[2], int64_t xy_q28[2]) {
+    int32_t j_q24[J_COUNT]; /* these two of no use unless `joined` is small */
+    int32_t d_q28[2];
     uint64_t joined = 0U;
     bool good;
 
     for (uint32_t i = 0U; i < (uint32_t)J_COUNT; i++) { /* bound: J_COUNT = 3 */
-        j_q24[i] = ocel_asr64(bent->j_q40[i], 16U);
-        joined |= ocel_abs64(j_q24[i]);
+        const int64_t j = ocel_asr64(bent->j_q40[i], 16U);
+
+        j_q24[i] = (int32_t)(uint32_t)j;
+        joined |= ocel_abs64(j);
     }
     for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
-        d_q28[i] = target_q28[i] - ocel_shift_round64(bent->xy_q40[i], 12U);
-        joined |= ocel_abs64(d_q28[i]);
+        const int64_t d = target_q28[i] - ocel_shift_round64(bent->xy_q40[i], 12U);
+
+        d_q28[i] = (int32_t)(uint32_t)d;
+        joined |= ocel_abs64(d);
     }
     good = joined < JOINED_MAX;
     if (good) {
-        const int64_t determinant_q48 = (j_q24[J_XX] * j_q24[J_YY]) - (j_q24[J_XY] * j_q24[J_XY]);
+        const int64_t determinant_q48 =
+            ((int64_t)j_q24[J_XX] * j_q24[J_YY]) - ((int64_t)j_q24[J_XY] * j_q24[J_XY]);
         uint32_t y_q31;
         int32_t e;
 
         ocel_recip_short(ocel_abs64(determinant_q48), &y_q31, &e);
         good = determinant_q48 >= DETERMINANT_MIN_Q48;
         for (uint32_t i = 0U; good && (i < 2U); i++) { /* bound: 2 */
-            const int64_t product_q52 = (j_q24[1U - i] * d_q28[i]) - (j_q24[J_XY] * d_q28[1U - i]);
+            const int64_t product_q52 =
+                ((int64_t)j_q24[1U - i] * d_q28[i]) - ((int64_t)j_q24[J_XY] * d_q28[1U - i]);
 
             xy_q28[i] +=
                 ocel_scale_q60(ocel_mul_q60(product_q52, (int64_t)y_q31 * 0x20000000), e - 36);
@@ -180,7 +187,7 @@ static bool step(const bent_t *bent, const int64_t target_q28[2], int64_t xy_q28
 /* Within 1/64 px: below 2^31 the product by a focal length is below 2^61, from there
  * on it is over 1/64 px for the shortest, 16 px. */
 static bool came_back(const ocel_intrinsics_t *lens, const bent_t *bent,
-                      const int64_t target_q28[2]) {
+                      const int32_t target_q28[2]) {
     const int32_t focal_px_q16[2] = {lens->fx_px_q16, lens->fy_px_q16};
     bool back = true;
 
@@ -194,8 +201,8 @@ static bool came_back(const ocel_intrinsics_t *lens, const bent_t *bent,
 }
 
 bool ocel_lens_unbend(const ocel_intrinsics_t *lens, int64_t xy_q28[2]) {
-    const int64_t target_q28[2] = {xy_q28[0], xy_q28[1]};
-    bool good = ocel_lens_within(xy_q28, OCEL_TAN2_80_Q56);
+    const int32_t target_q28[2] = {(int32_t)xy_q28[0], (int32_t)xy_q28[1]};
+    bool good = ocel_lens_within(xy_q28, OCEL_TAN2_80_Q56); /* so target fits */
     bent_t bent;
 
     /* bound: OCEL_UNDISTORT_STEPS */

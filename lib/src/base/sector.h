@@ -23,17 +23,16 @@
 static inline uint32_t ocel_sector_of(int64_t x, int64_t y) {
     const uint32_t ax = (uint32_t)ocel_abs64(x);
     const uint32_t ay = (uint32_t)ocel_abs64(y);
-    const bool steep = ax < ay;
-    const uint64_t small_q16 = (uint64_t)(steep ? ax : ay) << 16U;
-    const uint32_t large = steep ? ay : ax;
+    const uint32_t large = (ax < ay) ? ay : ax;
+    const uint64_t small_q16 = (uint64_t)((ax < ay) ? ax : ay) * 65536U;
+    const uint32_t fold =
+        ((ax < ay) ? 7U : 0U) ^ ((uint32_t)ocel_sign64(x) & 15U) ^ ((uint32_t)ocel_sign64(y) & 31U);
     uint32_t sector = 0U;
 
     sector += (small_q16 >= ((uint64_t)large * OCEL_TAN_1_Q16)) ? 1U : 0U;
     sector += (small_q16 >= ((uint64_t)large * OCEL_TAN_2_Q16)) ? 1U : 0U;
     sector += (small_q16 >= ((uint64_t)large * OCEL_TAN_3_Q16)) ? 1U : 0U;
-    sector ^= steep ? 7U : 0U;
-    sector ^= (x < 0) ? 15U : 0U;
-    return sector ^ ((y < 0) ? 31U : 0U);
+    return sector ^ fold;
 }
 
 /* Sectors covered, 0..32: those whose bit is set in `hit` and the gaps between

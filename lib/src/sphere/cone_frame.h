@@ -67,6 +67,12 @@ static inline void ocel_cone_pixel(const ocel_cone_source_t *source, uint32_t i,
     }
 }
 
+/* The axis that a crack lies along, from pixel to pixel: 1 x, whose half it is at, 0 y.  Of
+ * other points it means nothing. */
+static inline uint32_t ocel_cone_along(int32_t x_px_q16) {
+    return ((uint32_t)x_px_q16 >> 15U) & 1U;
+}
+
 /* Whether the map from pixel to ray is affine on all of the points: the camera has no
  * lens and sees the four corners of their box. */
 bool ocel_cone_is_plain(const ocel_cone_source_t *source);
@@ -91,10 +97,10 @@ static inline bool ocel_cone_take(const ocel_cone_source_t *source, uint32_t i, 
 
 /* Component k of a point's ray: below 5.8, for the point is within 80 degrees of the
  * camera's axis, so below 2^60.6. */
-static inline int64_t ocel_cone_component_q58(const ocel_cone_map_t *map, uint32_t k,
-                                              const int32_t ab[2]) {
-    return ocel_signed64((map->g[k][0] * (uint64_t)(int64_t)ab[0]) +
-                         (map->g[k][1] * (uint64_t)(int64_t)ab[1]) + map->g[k][2]);
+static inline int64_t ocel_cone_component_q58(const ocel_cone_map_t *map, uint32_t k, int32_t a,
+                                              int32_t b) {
+    return ocel_signed64((map->g[k][0] * (uint64_t)(int64_t)a) +
+                         (map->g[k][1] * (uint64_t)(int64_t)b) + map->g[k][2]);
 }
 
 /* 1 / z^2, what a pixel's angle shrinks by off the camera's axis; Q26, below 2^32.

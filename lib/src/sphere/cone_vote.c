@@ -165,7 +165,7 @@ static uint32_t elect(const ocel_cone_samples_t *samples, const ocel_cone_place_
     int32_t most = INT32_MIN;
     uint32_t count = 0U;
 
-    for (uint32_t k = 0U; k < (uint32_t)OCEL_CONE_HYPOTHESES; k++) { /* bound: 64 */
+    for (uint32_t k = 0U; k < (uint32_t)OCEL_CONE_HYPOTHESES; k++) { /* bound: 32 */
         const uint8_t *step = steps[(k + (k / SAMPLES)) % 8U];
         plane_t plane;
 
@@ -235,32 +235,36 @@ static void sum_samples(const ocel_cone_samples_t *s, const plane_t *plane, int3
 /* Least squares on the samples near the plane, ROUNDS times; what cannot be solved
  * leaves the plane as it is.  Returns the samples' scatter about the last plane but
  * one, px. */
-static uint32_t settle(const ocel_cone_samples_t *s, const ocel_cone_place_t *place,
+static uint16_t settle(const ocel_cone_samples_t *s, const ocel_cone_place_t *place,
                        plane_t *plane) {
-    uint64_t rms_px_q16 = 0U;
+    uint64_t squares_q50 = 0U; /* of the last round that could be solved; its count, its gate */
+    uint64_t count = 1U;
+    uint64_t gate_q25 = 1U;
+    uint32_t gate_px = 0U;
 
     for (uint32_t round = 0U; round < ROUNDS; round++) { /* bound: ROUNDS = 3 */
-        const int32_t gate_q25 =
+        const int32_t r_q25 =
             residual_of(rough_size_q12(plane), place->pixel_q25, gate_px_q16[round]);
         plane_normal_t normal;
         ocel_sym3_inverse_t inverse;
         int64_t x_q60[3];
 
-        sum_samples(s, plane, gate_q25, &normal);
+        sum_samples(s, plane, r_q25, &normal);
         if ((normal.count > 3U) && ocel_sym3_invert(normal.m_q60, &inverse) &&
             ocel_sym3_apply(&inverse, normal.b_q60, x_q60)) {
-            const uint64_t square_q50 =
-                ocel_udiv64((uint64_t)normal.squares_q50, (uint64_t)normal.count);
-            const uint64_t rms_q25 = (uint64_t)ocel_asr64(ocel_sqrt_q60(square_q50 << 4U), 32U);
-
-            rms_px_q16 = ocel_udiv64(rms_q25 * gate_px_q16[round], (uint64_t)gate_q25);
+            squares_q50 = (uint64_t)normal.squares_q50;
+            count = (uint64_t)normal.count;
+            gate_q25 = (uint64_t)r_q25;
+            gate_px = gate_px_q16[round];
             (void)finish_plane(((int64_t)plane->a_q12 * 65536) + ocel_shift_round64(x_q60[0], 32U),
                                ((int64_t)plane->b_q12 * 65536) + ocel_shift_round64(x_q60[1], 32U),
                                plane->c_q25 + ocel_shift_round64(x_q60[2], 35U), place->spread_log2,
                                plane);
         }
     }
-    return (uint32_t)rms_px_q16;
+    squares_q50 = ocel_udiv64(squares_q50, count);
+    return (uint16_t)ocel_udiv64(
+        (uint64_t)ocel_asr64(ocel_sqrt_q60(squares_q50 << 4U), 32U) * gate_px, 2U * gate_q25);
 }
 
 /* The cone of a plane; false when its axis is over 80 degrees from the frame's or
@@ -288,10 +292,10 @@ bool ocel_cone_elect(const ocel_cone_samples_t *samples, const ocel_cone_place_t
     plane_t plane;
     bool found;
 
-    guess->hypothesis_count = elect(samples, place, &plane);
+    guess->hypothesis_count = (uint16_t)elect(samples, place, &plane);
     found = guess->hypothesis_count > 0U;
     if (found) {
-        guess->rms_px_q16 = settle(samples, place, &plane);
+        guess->rms_px_q15 = settle(samples, place, &plane);
         found = cone_of(&plane, place, guess);
     }
     return found;

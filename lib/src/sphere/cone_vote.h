@@ -14,10 +14,10 @@
 
 /* A cone about an axis, and the scatter of the points that gave it. */
 typedef struct {
+    int64_t tan_q46; /* of half the opening angle, 2^-20 .. 1 */
     int32_t axis_cam_q30[3];
-    int64_t tan_q46;     /* of half the opening angle, 2^-20 .. 1 */
-    uint32_t rms_px_q16; /* below 2 px */
-    uint32_t hypothesis_count;
+    uint16_t rms_px_q15; /* below 2 px */
+    uint16_t hypothesis_count;
 } ocel_cone_guess_t;
 
 /* False when no three of the samples determine a cone of at most 90 degrees. */
