@@ -15,9 +15,12 @@ examples:
   tools/wcet.py --core m4 --width 320 --height 240 -O2      the bounds on your core
   tools/wcet.py --core m0 -Os --observe                     beside what was observed
   tools/wcet.py --core m4 -O2 --explain ocel_eye_end        where a bound comes from
+  tools/wcet.py --update README.md                          the README's table (--check)
 """
 import argparse
 import csv
+import pathlib
+import subprocess
 import sys
 
 sys.dont_write_bytecode = True
@@ -45,10 +48,13 @@ def arguments():
     parser.add_argument("--limits", metavar="CSV", default=ROOT / "tests" / "wcet" / "limits.csv",
                         help="how loose a bound may be (default tests/wcet/limits.csv)")
     parser.add_argument("--explain", metavar="FUNCTION", help="where its worst path spends most")
+    parser.add_argument("--check", metavar="FILE", help="compare the block <!-- wcet:begin --> of "
+                        "FILE with the bounds: each number within 2 %%")
+    parser.add_argument("--update", metavar="FILE", help="write them there")
     parser.add_argument("--csv", metavar="FILE", help="write the table as CSV too")
     parser.add_argument("--markdown", metavar="FILE", help="write the table there too")
-    parser.add_argument("--build", metavar="FOLDER", default=ROOT / "build" / "wcet",
-                        help="where it builds (default build/wcet)")
+    parser.add_argument("--build", metavar="FOLDER", default=ROOT / "build" / "host" / "wcet",
+                        help="where it builds (default build/host/wcet, as the tests do)")
     return parser.parse_args()
 
 
@@ -60,11 +66,32 @@ def explain(study, name):
         print(f"{cost:14.0f} {times:11.0f}  {function} {where} {callee}")
 
 
+def readme_table(args):
+    """Compares or writes the README's table; returns the exit status."""
+    large, small = (320, 240), (160, 120)
+    configs = (("m4", *large, 2048), ("m4", *small, 1024), ("m0", *large, 2048))
+    rows = []
+    for i, (core, width, height, cracks) in enumerate(configs):
+        study = Study(Config(core, "-O2", width, height, cracks), args.build)
+        rows.append(study.rows(observing=i == 0))
+        refused = [row.refused for row in rows[-1] if row.refused]
+        if refused:
+            raise Refused("\n".join(refused))
+    path = pathlib.Path(args.build) / "readme.md"
+    path.write_text(report.readme((large, small), rows), encoding="utf-8")
+    mode, file = ("--check", args.check) if args.check else ("--update", args.update)
+    return subprocess.run([ROOT / "tools" / "readme_block.py", mode, "--tolerance", "2", "--fix",
+                           f"Run tools/wcet.py --update {file}", file, "wcet", path],
+                          check=False).returncode
+
+
 def main():
     args = arguments()
     failed = []
     tables = []
     try:
+        if args.check or args.update:
+            return readme_table(args)
         for level in args.levels or ["2"]:
             config = Config(args.core, f"-O{level}", args.width, args.height, args.cracks)
             study = Study(config, args.build)

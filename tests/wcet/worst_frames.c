@@ -103,6 +103,30 @@ static bool is_lines(int32_t x, int32_t y) {
     return ((y % 2) == 0) || (x == 0);
 }
 
+/* Every second column, and in the last row of each band the others: all that began
+ * are joined at once, after none, some, or more rows than the pool has cells for. */
+static bool is_band(int32_t x, int32_t y, int32_t rows_of_band) {
+    const int32_t row = y % (rows_of_band + 2);
+    return (row < rows_of_band) ? ((x % 2) == 0) : ((row == rows_of_band) && ((x % 2) == 1));
+}
+
+static bool is_band_of_one(int32_t x, int32_t y) {
+    return is_band(x, y, 1);
+}
+
+static bool is_band_of_three(int32_t x, int32_t y) {
+    return is_band(x, y, 3);
+}
+
+static bool is_band_of_nine(int32_t x, int32_t y) {
+    return is_band(x, y, 9);
+}
+
+/* Pairs with one column between, cut apart and joined in turn. */
+static bool is_pairs(int32_t x, int32_t y) {
+    return ((y % 4) < 2) ? ((x % 3) != 0) : (((y % 4) == 2) && ((x % 3) != 1));
+}
+
 /* Few rows, as wide as can be: cracks along the rows. */
 static bool is_wide(int32_t x, int32_t y) {
     const int32_t lap = y % 4;
@@ -124,9 +148,11 @@ static bool is_everything(int32_t x, int32_t y) {
     return true;
 }
 
-static const mask_t masks[] = {is_tree,    is_staircase, is_growing, is_ladder,  is_mesh,
-                               is_brick,   is_diagonal,  is_specks,  is_holes,   is_cliff,
-                               is_meander, is_wide,      is_lines,   is_fingers, is_everything};
+static const mask_t masks[] = {is_tree,         is_staircase, is_growing,     is_ladder,
+                               is_mesh,         is_brick,     is_diagonal,    is_specks,
+                               is_holes,        is_cliff,     is_meander,     is_wide,
+                               is_lines,        is_fingers,   is_band_of_one, is_band_of_three,
+                               is_band_of_nine, is_pairs,     is_everything};
 
 /* ---- Through the library ---- */
 

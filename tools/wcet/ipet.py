@@ -143,6 +143,8 @@ class Analysis:
     def bound(self, name, count=None):
         """(insn, typ, max) at most of one call; count: the bytes of a memcpy or memset."""
         key = (name, count)
+        if name not in self.program.symbols:
+            raise Refused(f"{name}: no such function; it may be inlined where it is called")
         if key not in self._bounds:
             if name in self._pending:
                 raise Refused("recursion: " + " -> ".join([*self._pending, name]))

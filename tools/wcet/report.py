@@ -80,3 +80,19 @@ def csv_rows(tables):
             yield [config.core, config.level, config.width, config.height, row.function, row.calls,
                    *(row.bound or ("", "", "")), *(row.observed or ("", "", "")),
                    f"{ratio:.4f}" if ratio else ""]
+
+
+def readme(sizes, rows):
+    """The README's table.  sizes: (width, height) of the large and the small image; rows:
+    those of M4 with what was observed, of M4 for the small image, and of M0."""
+    large, small, tiny = rows
+    (width, height), (small_width, small_height) = sizes
+    lines = [f"Instructions at most, whatever the input, for {width}x{height} at -O2; observed is the "
+             "most that the corpus", "and the adversarial inputs took (`tools/wcet.py`):", "",
+             "| function | M4 | observed | M4 / observed | M4 cycles, typ - max | "
+             f"M4, {small_width}x{small_height} | M0+ |", "|---|--:|--:|--:|--:|--:|--:|"]
+    for row, less, other in zip(large, small, tiny):
+        ratio = study.ratio(row)
+        lines.append(f"| `{row.function}` | {row.bound[0]} | {row.observed[0]} | {ratio:.2f} | "
+                     f"{row.bound[1]} - {row.bound[2]} | {less.bound[0]} | {other.bound[0]} |")
+    return "\n".join(lines) + "\n"

@@ -108,8 +108,6 @@ class Study:
             calls, most = seen.get(name, (0, None))
             bound, refused = None, None
             try:
-                if name not in analysis.program.symbols:
-                    raise Refused(f"{name}: the program does not have it")
                 bound = analysis.bound(name)
             except Refused as error:
                 refused = str(error)
