@@ -29,7 +29,7 @@ struct TrackFrame {
     double time;                // s, of the exposure
     Vec3 p_true;                // world, SMU
     double visible[kSides];     // share of the ball's outline that is in the picture, unhidden
-    double covered[kSides];     // share of it that a screen hides
+    double covered[kSides];     // share of it that something hides
     bool hidden;                // neither eye sees any of it
     bool counted;               // not wholly covered, and kSettle after it was first seen
     bool held;                  // within kHoldPx of the middle of both pictures

@@ -147,7 +147,7 @@ TrackFrame TrackLoop::true_frame() {
     frame.time = step_ * kStep;
     frame.p_true = now_.p_ball;
     frame.angles = world_.head().angles();
-    judge_.judge(now_.X_world_cam, frame);
+    judge_.judge(drawing_.solids, now_.X_world_cam, frame);
     return frame;
 }
 

@@ -11,25 +11,50 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kGrid = 40; // rays across the disc: each stands for 1/1257 of it
 
-// Whether the segment from `a` to `b` meets the box: between the last of its entries
+// Whether the segment meets the cube of half size 1: between the last of its entries
 // into the three slabs and the first of its exits.
-bool crosses(const Screen &screen, const Vec3 &a, const Vec3 &b) {
+bool crosses_cube(const Vec3 &a, const Vec3 &b) {
     double enter = 0.0;
     double leave = 1.0;
     for (int axis = 0; axis < 3; ++axis) {
         const double way = b[axis] - a[axis];
-        const double low = screen.p_world[axis] - screen.size[axis] / 2.0 - a[axis];
-        const double high = screen.p_world[axis] + screen.size[axis] / 2.0 - a[axis];
         if (way == 0.0) {
-            if (low > 0.0 || high < 0.0) {
+            if (std::fabs(a[axis]) > 1.0) {
                 return false;
             }
         } else {
-            enter = std::max(enter, std::min(low / way, high / way));
-            leave = std::min(leave, std::max(low / way, high / way));
+            const double middle = -a[axis] / way;
+            const double half = 1.0 / std::fabs(way);
+            enter = std::max(enter, middle - half);
+            leave = std::min(leave, middle + half);
         }
     }
     return enter < leave;
+}
+
+// The same for the ball of radius 1: by its point that is nearest to the centre.
+bool crosses_ball(const Vec3 &a, const Vec3 &b) {
+    const Vec3 way = b - a;
+    const double share = std::clamp(-a.dot(way) / way.dot(way), 0.0, 1.0);
+    return cv::norm(a + way * share) < 1.0;
+}
+
+// The segment from a to b in a solid's own measure.
+bool crosses(const Solid &solid, const Vec3 &a, const Vec3 &b) {
+    const Pose X_solid_world = inverse(solid.X_world_solid);
+    Vec3 from = X_solid_world * a;
+    Vec3 to = X_solid_world * b;
+    for (int axis = 0; axis < 3; ++axis) {
+        from[axis] /= solid.half_size[axis];
+        to[axis] /= solid.half_size[axis];
+    }
+    return solid.shape == Shape::kBall ? crosses_ball(from, to) : crosses_cube(from, to);
+}
+
+bool is_covered(const std::vector<Solid> &solids, const Vec3 &p_eye, const Vec3 &point) {
+    return std::any_of(solids.begin(), solids.end(), [&](const Solid &solid) {
+        return !solid.is_target && crosses(solid, p_eye, point);
+    });
 }
 
 bool in_picture(const Intrinsics &camera, const Vec3 &p_cam) {
@@ -45,7 +70,7 @@ bool in_picture(const Intrinsics &camera, const Vec3 &p_cam) {
 
 // The ball's disc is the circle in which the cone of rays touches it: radius R cos(a)
 // about a point R sin(a) nearer than the centre, sin(a) = R / distance.
-Visibility visibility_of(const Vec3 &p_world, double radius, const std::vector<Screen> &screens,
+Visibility visibility_of(const Vec3 &p_world, double radius, const std::vector<Solid> &solids,
                          const Pose &X_world_cam, const Intrinsics &camera) {
     const Vec3 p_cam = inverse(X_world_cam) * p_world;
     const double sine = radius / cv::norm(p_cam);
@@ -64,10 +89,7 @@ Visibility visibility_of(const Vec3 &p_world, double radius, const std::vector<S
             continue;
         }
         const Vec3 point = middle + (across * u + along * v) * reach;
-        const Vec3 end = X_world_cam * point;
-        const bool behind = std::any_of(screens.begin(), screens.end(), [&](const Screen &screen) {
-            return crosses(screen, X_world_cam.p, end);
-        });
+        const bool behind = is_covered(solids, X_world_cam.p, X_world_cam * point);
         ++total;
         covered += behind ? 1 : 0;
         visible += !behind && in_picture(camera, point) ? 1 : 0;
@@ -75,13 +97,14 @@ Visibility visibility_of(const Vec3 &p_world, double radius, const std::vector<S
     return {static_cast<double>(visible) / total, static_cast<double>(covered) / total};
 }
 
-void TrackJudge::judge(const std::array<Pose, kSides> &X_world_cam, TrackFrame &frame) {
+void TrackJudge::judge(const std::vector<Solid> &solids,
+                       const std::array<Pose, kSides> &X_world_cam, TrackFrame &frame) {
     const Intrinsics &camera = scenario_.camera.intrinsics;
     bool wholly_covered = true;
     frame.hidden = true;
     for (const Side side : {kLeft, kRight}) {
-        const Visibility seen = visibility_of(frame.p_true, scenario_.target.radius,
-                                              scenario_.screens, X_world_cam[side], camera);
+        const Visibility seen =
+            visibility_of(frame.p_true, scenario_.target.radius, solids, X_world_cam[side], camera);
         const Vec3 p_cam = inverse(X_world_cam[side]) * frame.p_true;
         frame.visible[side] = seen.visible;
         frame.covered[side] = seen.covered;

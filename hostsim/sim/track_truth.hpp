@@ -16,10 +16,11 @@ namespace sim {
 // Shares of the ball's disc as the eye sees it, 0 .. 1.
 struct Visibility {
     double visible; // in the picture, and nothing before it
-    double covered; // a screen is before it, in the picture or not
+    double covered; // something is before it, in the picture or not
 };
 
-Visibility visibility_of(const Vec3 &p_world, double radius, const std::vector<Screen> &screens,
+// `solids`: what stands in the world; the target among them is passed over.
+Visibility visibility_of(const Vec3 &p_world, double radius, const std::vector<Solid> &solids,
                          const Pose &X_world_cam, const Intrinsics &camera);
 
 class TrackJudge {
@@ -29,7 +30,8 @@ class TrackJudge {
 
     // From time, p_true and where the cameras are: all that is true in the frame.  The
     // frames come in their order.
-    void judge(const std::array<Pose, kSides> &X_world_cam, TrackFrame &frame);
+    void judge(const std::vector<Solid> &solids, const std::array<Pose, kSides> &X_world_cam,
+               TrackFrame &frame);
 
   private:
     const TrackScenario &scenario_;

@@ -32,8 +32,20 @@ Pose camera_at_eyes() {
     return pose;
 }
 
-Visibility seen(const Vec3 &p_world, const std::vector<Screen> &screens) {
-    return visibility_of(p_world, kRadius, screens, camera_at_eyes(),
+Solid solid(Shape shape, const Vec3 &p_world, const Vec3 &half_size) {
+    Solid result;
+    result.shape = shape;
+    result.X_world_solid.p = p_world;
+    result.half_size = half_size;
+    return result;
+}
+
+Solid board(const Vec3 &p_world, const Vec3 &size) {
+    return solid(Shape::kBox, p_world, size * 0.5);
+}
+
+Visibility seen(const Vec3 &p_world, const std::vector<Solid> &solids) {
+    return visibility_of(p_world, kRadius, solids, camera_at_eyes(),
                          make_intrinsics("icub-2010", 320));
 }
 
@@ -42,20 +54,39 @@ void test_a_ball_in_the_open_is_seen_whole(void) {
     TEST_ASSERT_EQUAL_DOUBLE(1.0, all.visible);
     TEST_ASSERT_EQUAL_DOUBLE(0.0, all.covered);
     // Behind it, beside the line of sight, and beyond the eyes: none covers.
-    const std::vector<Screen> aside = {{Vec3(7, 0, 3.5), Vec3(0.1, 9, 9)},
-                                       {Vec3(4, 2, 3.5), Vec3(0.1, 2, 9)},
-                                       {Vec3(-1, 0, 3.5), Vec3(0.1, 9, 9)}};
+    std::vector<Solid> aside = {board(Vec3(7, 0, 3.5), Vec3(0.1, 9, 9)),
+                                board(Vec3(4, 2, 3.5), Vec3(0.1, 2, 9)),
+                                board(Vec3(-1, 0, 3.5), Vec3(0.1, 9, 9)),
+                                solid(Shape::kBall, Vec3(4, 1.1, 3.5), Vec3(0.6, 0.6, 0.6)),
+                                solid(Shape::kBall, Vec3(8, 0, 3.5), Vec3(1, 1, 1)),
+                                solid(Shape::kBall, Vec3(6, 0, 3.5), Vec3(1, 1, 1))};
+    aside.back().is_target = true;
     TEST_ASSERT_EQUAL_DOUBLE(1.0, seen(Vec3(6, 0, 3.5), aside).visible);
 }
 
 void test_a_board_covers_what_is_behind_it(void) {
     const Vec3 ball(6, 0, 3.5); // straight ahead
-    const Visibility half = seen(ball, {{Vec3(4, 2, 3.5), Vec3(0.1, 4, 9)}});
+    const Visibility half = seen(ball, {board(Vec3(4, 2, 3.5), Vec3(0.1, 4, 9))});
     TEST_ASSERT_DOUBLE_WITHIN(0.001, 0.5, half.visible);
     TEST_ASSERT_DOUBLE_WITHIN(0.001, 0.5, half.covered);
-    const Visibility none = seen(ball, {{Vec3(4, 0, 3.5), Vec3(0.1, 1, 1)}});
+    const Visibility none = seen(ball, {board(Vec3(4, 0, 3.5), Vec3(0.1, 1, 1))});
     TEST_ASSERT_EQUAL_DOUBLE(0.0, none.visible);
     TEST_ASSERT_EQUAL_DOUBLE(1.0, none.covered);
+    // Half-way and half as large, a ball covers as much as it hides of itself.
+    const Vec3 middle = (ball + eyes_middle()) * 0.5;
+    const double radius = kRadius / 2.0;
+    TEST_ASSERT_EQUAL_DOUBLE(
+        1.0, seen(ball, {solid(Shape::kBall, middle, Vec3(1, 1, 1) * (radius * 1.01))}).covered);
+    TEST_ASSERT_DOUBLE_WITHIN(
+        0.01, 0.81,
+        seen(ball, {solid(Shape::kBall, middle, Vec3(1, 1, 1) * (radius * 0.9))}).covered);
+    // A square covers as much when it stands on a corner, and less seen from its edge.
+    Solid diamond = board(Vec3(4, 0, 3.5), Vec3(0.01, 0.2, 0.2));
+    const double flat = seen(ball, {diamond}).covered;
+    diamond.X_world_solid.r = rotation(0, radians(45));
+    TEST_ASSERT_DOUBLE_WITHIN(0.01, flat, seen(ball, {diamond}).covered);
+    diamond.X_world_solid.r = rotation(2, radians(90));
+    TEST_ASSERT_TRUE(seen(ball, {diamond}).covered < 0.3 * flat);
 }
 
 // Its edge cuts the ball at 120 px of 257.3 px from the middle.
@@ -67,10 +98,11 @@ void test_the_edge_of_the_picture_is_no_board(void) {
 }
 
 TrackFrame judged(TrackJudge &judge, double time, const Vec3 &p_true) {
+    const std::vector<Solid> solids = {board(Vec3(4, 3, 3.5), Vec3(0.1, 2, 9))};
     TrackFrame frame{};
     frame.time = time;
     frame.p_true = p_true;
-    judge.judge({camera_at_eyes(), camera_at_eyes()}, frame);
+    judge.judge(solids, {camera_at_eyes(), camera_at_eyes()}, frame);
     return frame;
 }
 
@@ -78,7 +110,6 @@ void test_frames_count_from_half_a_second_on(void) {
     TrackScenario scenario{};
     scenario.camera.intrinsics = make_intrinsics("icub-2010", 320);
     scenario.target.radius = kRadius;
-    scenario.screens = {{Vec3(4, 3, 3.5), Vec3(0.1, 2, 9)}};
     TrackJudge judge(scenario);
     const Vec3 ahead(6, 0, 3.5);
     const Vec3 covered(6, 4.5, 3.5);
