@@ -22,6 +22,7 @@ checks=(
     "vendored   tools/check_vendored.sh"
     "readme     tools/check_readme.sh"
     "sizes      tools/sizes.sh --check README.md"
+    "wcet       tools/wcet.py --check README.md"
     "figures    tools/figures.sh --check README.md"
     "tracking   tools/tracking.sh --check README.md"
     "selftest   tools/gate_selftest.sh"
