@@ -34,7 +34,7 @@ demo_packages=(build-essential cmake python3 python3-pip ca-certificates
 test_packages=(clang-19 clang-format-19 libclang-rt-19-dev llvm-19 gcc-arm-none-eabi
     libnewlib-arm-none-eabi binutils-arm-none-eabi valgrind libc6-dbg
     qemu-system-arm qemu-system-misc gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
-    python3-capstone python3-pyelftools python3-scipy)
+    python3-capstone python3-pyelftools python3-scipy python3-yaml)
 
 # --- Debian packages ---------------------------------------------------------
 # Quiet when all is well; what apt said is shown when it fails.

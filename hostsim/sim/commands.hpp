@@ -8,6 +8,7 @@
 
 namespace sim {
 
+void add_merge(CLI::App &app);
 void add_paper(CLI::App &app);
 void add_report(CLI::App &app);
 void add_run(CLI::App &app);

@@ -28,6 +28,7 @@ int run(int argc, char **argv) {
     sim::add_track(app);
     sim::add_paper(app);
     sim::add_report(app);
+    sim::add_merge(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success &wanted) { // --help, --version

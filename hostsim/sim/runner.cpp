@@ -48,11 +48,13 @@ struct Workshop {
 } // namespace
 
 std::vector<TrialRecord> run_trials(const Scenario &scenario, const RunOptions &options) {
-    const Batch batch{scenario.name, total_trials(scenario, options), "trials", options.jobs};
+    const Batch batch{scenario.name, options.shard.items_of(total_trials(scenario, options)),
+                      "trials", options.jobs};
     return results_of<TrialRecord>(batch, [&]() -> std::function<TrialRecord(std::size_t)> {
         const auto workshop = std::make_shared<Workshop>(scenario, options);
         return [&, workshop](std::size_t index) {
-            return run_one(scenario, options, key_of(index, options), workshop->studio);
+            return run_one(scenario, options, key_of(options.shard.place_of(index), options),
+                           workshop->studio);
         };
     });
 }

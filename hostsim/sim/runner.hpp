@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "shard.hpp"
 #include "trial.hpp"
 
 namespace sim {
@@ -14,7 +15,8 @@ namespace sim {
 struct RunOptions {
     int trials = 0; // at each point
     std::uint64_t seed = 1;
-    int jobs = 1;            // processes
+    int jobs = 1; // processes
+    Shard shard;
     std::string picture_dir; // the first trial of each point is drawn here; "": none is
     std::string record_dir;  // all frames go here, and jobs is 1; "": none do
 };

@@ -6,6 +6,7 @@
 
 #include "colour_spec.hpp"
 #include "error.hpp"
+#include "input.hpp"
 #include "scenario_parts.hpp"
 
 namespace sim {
@@ -163,12 +164,22 @@ toml::table parse_scenario_file(const std::string &path) {
     }
 }
 
+namespace {
+
+std::string file_text(const std::string &path) {
+    const std::vector<std::uint8_t> bytes = cli::read_bytes(path);
+    return {bytes.begin(), bytes.end()};
+}
+
+} // namespace
+
 Scenario read_scenario(const std::string &path) {
     const toml::table table = parse_scenario_file(path);
     TomlReader reader(table, path, "");
     reader.expect_only({"name", "sweep", "camera", "target", "scene", "gaze", "detector"});
     Scenario scenario{};
     scenario.name = reader.text("name", "the scenario's name in quotes");
+    scenario.text = file_text(path);
     read_sweep(reader.table("sweep"), scenario);
     read_camera(reader.table("camera"), scenario.camera);
     reject_shutter(reader.table("camera"));

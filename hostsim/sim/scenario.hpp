@@ -42,6 +42,7 @@ struct TargetChoice {
 // What is in view, who looks, and for what: of every kind of scenario.
 struct Setting {
     std::string name;
+    std::string text; // the file's, as it stands
     CameraChoice camera;
     TargetChoice target;
     Background background;

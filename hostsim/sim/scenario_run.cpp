@@ -4,6 +4,8 @@
 #include <chrono>
 #include <fmt/format.h>
 
+#include <ocellus/version.h>
+
 #include "runner.hpp"
 
 namespace sim {
@@ -46,6 +48,7 @@ RunOptions options_of(const Scenario &scenario, const SweepChoice &choice, const
     options.trials = choice.trials_of(scenario);
     options.seed = choice.seed;
     options.jobs = choice.jobs;
+    options.shard = choice.shard;
     options.picture_dir = out + "/pictures";
     options.record_dir = choice.record_dir;
     return options;
@@ -64,6 +67,10 @@ std::uint32_t run_scenario(const Scenario &scenario, const SweepChoice &choice,
         run_trials(scenario, options_of(scenario, choice, out));
     const double seconds = seconds_since(begin);
     const nlohmann::ordered_json summary = write_results(scenario, choice.seed, records, out);
+    write_manifest(
+        out,
+        {OCEL_VERSION_STRING, scenario.name, choice.seed, choice.trials_of(scenario), choice.shard},
+        scenario.text);
     print_result(summary);
     fmt::print("{} trials, {} stereo frames in {:.1f} s: {}/trials.csv {}/summary.json "
                "{}/pictures/\n",
@@ -78,6 +85,11 @@ void add_sweep_options(CLI::App &command, SweepChoice &choice) {
         ->type_name("N")
         ->check(CLI::Range(1, 1000000));
     command.add_option("--seed", choice.seed, "default 1")->type_name("S");
+    command
+        .add_option_function<std::string>(
+            "--shard", [&choice](const std::string &text) { choice.shard = parse_shard(text); },
+            "every n-th trial from the k-th on; ocellus-sim merge puts all n together")
+        ->type_name("k/n");
     command.add_option("--jobs", choice.jobs, "processes, default 1")
         ->type_name("J")
         ->check(CLI::Range(1, 256));

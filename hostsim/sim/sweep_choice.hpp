@@ -3,6 +3,7 @@
 #define OCELLUS_SIM_SWEEP_CHOICE_HPP
 
 #include "scenario.hpp"
+#include "shard.hpp"
 
 namespace sim {
 
@@ -11,6 +12,7 @@ struct SweepChoice {
     int trials = 0; // at each point; 0: as the scenario says
     std::uint64_t seed = 1;
     int jobs = 1;
+    Shard shard;
     std::string record_dir; // as RunOptions'; only `run` offers it
 
     int trials_of(const Scenario &scenario) const {
