@@ -31,10 +31,11 @@ class Study:
                                   config.height, config.cracks)))
         self.folder = pathlib.Path(folder) / name
         self.folder.mkdir(parents=True, exist_ok=True)
+        self._state = self._read_state()
 
     # ---- Building ----
 
-    def _stamp(self):
+    def _read_state(self):
         """Tells two states of what goes into the build apart."""
         digest = hashlib.sha256()
         files = [path for folder in ("lib", "port", "tests/board", "tests/wcet", "tests/support",
@@ -49,10 +50,9 @@ class Study:
     def _made(self, name, make):
         """The file `name`, made when it is not of this state of the sources."""
         path, stamp = self.folder / name, self.folder / (name + ".stamp")
-        state = self._stamp()
-        if not path.exists() or not stamp.exists() or stamp.read_text() != state:
+        if not path.exists() or not stamp.exists() or stamp.read_text() != self._state:
             make(path)
-            stamp.write_text(state)
+            stamp.write_text(self._state)
         return path
 
     def _objects(self):
