@@ -22,6 +22,10 @@ from .values import Values
 
 MODELS = ("insn", "typ", "max")
 
+_SOLVERS = ({"method": "highs"}, {"method": "highs-ds", "options": {"presolve": False}},
+            {"method": "highs-ipm"})
+"""One after the other until one ends: HiGHS 1.2 gives up on some programs by one way."""
+
 
 def _plus(a, b):
     return tuple(x + y for x, y in zip(a, b))
@@ -405,9 +409,12 @@ class Analysis:
             gain = numpy.zeros(columns)
             for variable, cost in costs.items():
                 gain[variable] = -cost[model]
-            solved = linprog(gain, A_ub=left_most, b_ub=most.right if most.right else None,
-                             A_eq=left_equal, b_eq=equal.right, bounds=(0, None), method="highs")
-            if solved.status != 0:
+            for how in _SOLVERS:
+                solved = linprog(gain, A_ub=left_most, b_ub=most.right if most.right else None,
+                                 A_eq=left_equal, b_eq=equal.right, bounds=(0, None), **how)
+                if solved.status == 0:
+                    break
+            else:
                 raise Refused(f"{name}: no bound: {solved.message}")
             answer.append(math.floor(-solved.fun + 1e-6 * max(1.0, -solved.fun)))
             if model == 0:
