@@ -2,12 +2,12 @@
 #include "plot.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <fstream>
+#include <iterator>
 #include <regex>
 #include <stdexcept>
-#include <unistd.h>
 
 #include "error.hpp"
 #include "temporary_file.hpp"
@@ -86,7 +86,7 @@ std::string style_of(const Curve &curve) {
     case Stroke::kDashed:
         return "with lines dt (8,5) " + line;
     case Stroke::kDots:
-        return fmt::format("with points {} pt {} ps 0.25", line, curve.ink.marker);
+        return fmt::format("with points {} pt {} ps 0.4", line, curve.ink.marker);
     case Stroke::kMarks:
     default:
         return fmt::format("with yerrorlines {} pt {} ps 0.75", line, curve.ink.marker);
@@ -147,21 +147,22 @@ std::string script_of(const Plot &plot) {
            commands + "\n";
 }
 
-// What gnuplot prints, on both its outputs.
-std::string gnuplot_output(const std::string &script_path) {
-    FILE *const pipe = ::popen(("gnuplot " + script_path + " 2>&1").c_str(), "r");
-    if (pipe == nullptr) {
-        throw std::runtime_error("gnuplot cannot be started");
+std::string text_of(const std::string &path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+// What gnuplot draws.  What it says beside that (a curve without points, say) only
+// matters when it fails.
+std::string gnuplot_output(const std::string &script) {
+    const TemporaryFile in(script);
+    const TemporaryFile out("");
+    const TemporaryFile said("");
+    const std::string command = "gnuplot " + in.path() + " >" + out.path() + " 2>" + said.path();
+    if (std::system(command.c_str()) != 0) {
+        throw std::runtime_error("gnuplot fails: " + text_of(said.path()));
     }
-    std::string output;
-    char buffer[4096];
-    for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) {
-        output.append(buffer, n);
-    }
-    if (::pclose(pipe) != 0) {
-        throw std::runtime_error("gnuplot fails: " + output);
-    }
-    return output;
+    return text_of(out.path());
 }
 
 // Those of text boxes, of which there are none.
@@ -201,8 +202,7 @@ void require_gnuplot() {
 }
 
 std::string plot_svg(const Plot &plot) {
-    const TemporaryFile script(script_of(plot));
-    return embeddable(gnuplot_output(script.path()), plot);
+    return embeddable(gnuplot_output(script_of(plot)), plot);
 }
 
 } // namespace sim

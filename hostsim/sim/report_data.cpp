@@ -66,6 +66,9 @@ std::map<std::string, std::vector<std::string>> read_columns(const fs::path &pat
             columns[names[i]].push_back(fields[i]);
         }
     }
+    if (columns.empty()) {
+        throw cli::InputError(path.string() + ": has no frame; run ocellus-sim track again");
+    }
     return columns;
 }
 
@@ -126,9 +129,16 @@ SweepResult::SweepResult(std::string folder, Json summary)
             (void)method_json(method).at("points").at(points_.size() - 1).at("at").get<double>();
         }
     } catch (const Json::exception &mistake) {
-        throw cli::InputError(folder_ + "/summary.json: is not what ocellus-sim run writes (" +
-                              mistake.what() + "); run the scenario again");
+        reject(mistake.what());
     }
+    if (methods().empty()) {
+        reject("it has no methods");
+    }
+}
+
+void SweepResult::reject(const std::string &why) const {
+    throw cli::InputError(folder_ + "/summary.json: is not what ocellus-sim run writes (" + why +
+                          "); run the scenario again");
 }
 
 std::string SweepResult::name() const {

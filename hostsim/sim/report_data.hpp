@@ -46,6 +46,7 @@ class SweepResult {
     double setting(const std::string &key) const;
 
   private:
+    [[noreturn]] void reject(const std::string &why) const;
     const Json &method_json(const std::string &method) const;
 
     std::string folder_;

@@ -147,6 +147,19 @@ std::string failures_html(const SweepResult &sweep, const std::string &title) {
                        [](double, double, double ok_but_wrong) { return ok_but_wrong; });
 }
 
+// Json::exception when there is none, or one without a number that is read later.
+Json checked_rows(const Json &rows) {
+    (void)rows.at(0);
+    for (const Json &row : rows) {
+        for (const char *const key :
+             {"at", "trials", "radius_px", "votes", "votes_of_circumference", "votes_most",
+              "pictures", "rounded_alike"}) {
+            (void)row.at(key).get<double>();
+        }
+    }
+    return rows;
+}
+
 } // namespace
 
 double scale_of(const Table3 &table3) {
@@ -166,14 +179,13 @@ std::vector<Table3> tables3_of(const Json &thresholds) {
     try {
         return {{"distance", "distance", "distance, SMU",
                  "distance from the middle of the eyes, SMU", 1.0, kPaperDistance,
-                 thresholds.at("distance")},
+                 checked_rows(thresholds.at("distance"))},
                 {"occlusion", "occlusion", "hidden, %", "hidden share of the ball, %", 100.0,
-                 kPaperOcclusion, thresholds.at("occlusion")}};
+                 kPaperOcclusion, checked_rows(thresholds.at("occlusion"))}};
     } catch (const Json::exception &mistake) {
         throw cli::InputError(std::string(kThresholdFile) +
-                              ": is not what ocellus-sim paper "
-                              "writes (" +
-                              mistake.what() + "); run it again");
+                              ": is not what ocellus-sim paper writes (" + mistake.what() +
+                              "); run it again");
     }
 }
 

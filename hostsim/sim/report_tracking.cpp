@@ -26,8 +26,8 @@ Curve curve_over_time(const TrackRun &track, const std::string &title, const Ink
 }
 
 // How far the ball is off one picture's middle.
-Curve offset_curve(const TrackRun &track, const std::string &side, const Ink &ink) {
-    Curve curve{side + " eye", ink, Stroke::kSolid, {}};
+Curve offset_curve(const TrackRun &track, const std::string &side, const Ink &ink, Stroke stroke) {
+    Curve curve{side + " eye", ink, stroke, {}};
     for (std::size_t i = 0; i < track.frames(); ++i) {
         const double off = std::hypot(track.number("off_" + side + "_x", i),
                                       track.number("off_" + side + "_y", i));
@@ -68,8 +68,8 @@ Plot offset_plot(const TrackRun &track) {
     Plot plot = time_plot(track, "offset");
     plot.about = "Distance of the ball from both images' middles over time";
     plot.y_label = "off the image's middle, px";
-    plot.curves = {offset_curve(track, "left", {"#0072B2", 7, 2.0}),
-                   offset_curve(track, "right", {"#D55E00", 7, 2.0})};
+    plot.curves = {offset_curve(track, "left", {"#0072B2", 7, 3.0}, Stroke::kSolid),
+                   offset_curve(track, "right", {"#E69F00", 7, 1.6}, Stroke::kDashed)};
     const double hold = track.figure("hold_px");
     plot.levels.push_back({hold, fmt::format("asked: {:.0f} px", hold)});
     double largest = 2.0 * hold;
@@ -88,7 +88,7 @@ Plot error_plot(const TrackRun &track) {
     plot.y_label = "error in space, SMU";
     plot.log_y = true;
     plot.curves = {
-        curve_over_time(track, "measured", {"#E69F00", 7}, Stroke::kDots, "meas_err"),
+        curve_over_time(track, "measured", {"#D55E00", 7}, Stroke::kDots, "meas_err"),
         curve_over_time(track, "tracked", {"#009E73", 7, 2.2}, Stroke::kSolid, "err"),
         curve_over_time(track, "its stated sigma", {"#7f7f7f", 7, 1.3}, Stroke::kDashed, "sigma")};
     const double asked = track.figure("asked", "err_rms");

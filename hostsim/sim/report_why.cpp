@@ -89,8 +89,8 @@ std::string disc_html(const SweepResult &a) {
     const auto closed_form = [&](std::size_t i) { return radius * radius / a.points()[i]; };
     return item(
         "The disc that isolates perspective has a bias of its own (a)",
-        fmt::format("Both eyes see the disc at a slant, from opposite sides; the middles of the "
-                    "two outlines are images of places behind it, and the rays through them meet "
+        fmt::format("Both eyes see the disc at a slant. Its nearer half looks larger, so that the "
+                    "middle of each outline lies to that eye's own side, and the two rays meet "
                     "r²/d too far. Closed form: {} SMU at d = {} and {} at {}. Measured, the mean "
                     "of x (found − true) of <code>b2ac</code>: {} and {}. Over all distances its "
                     "error falls from {} to {} SMU in the mean when the bias is taken off.",

@@ -247,8 +247,10 @@ class Report(unittest.TestCase):
         for name, text, words in (
                 ("c_distance/summary.json", '{"scenario": ', "is no JSON"),
                 ("c_distance/summary.json", '{"scenario": "c_distance"}', "run the scenario again"),
+                ("table3.json", '{"distance": [], "occlusion": []}', "is not what ocellus-sim"),
                 ("table3.json", '{}', "is not what ocellus-sim paper writes"),
                 ("track_throw/frames.csv", "frame,time_s\n0,0.0\n1\n", "frames.csv:3: has 1 field"),
+                ("track_throw/frames.csv", "frame,time_s\n", "has no frame"),
                 ("track_throw/frames.csv", "time_s,hidden\nsoon,0\n", "frames.csv")):
             copy = self.copy_of_run()
             (copy / name).write_text(text)
