@@ -11,7 +11,8 @@ Installs what is missing on a Debian 12 machine, as root or through sudo:
         libpng, the command-line parser, the simulator's libraries (Bullet,
         OSMesa, OpenCV, toml++, fmt, gnuplot) and the two photographs
   test  the default: that, and what tools/test.sh takes: Unity, clang, the Arm
-        and RISC-V compilers, QEMU, valgrind and cppcheck
+        and RISC-V compilers, QEMU, valgrind, cppcheck, and what tools/wcet.py reads
+        machine code and solves with (capstone, pyelftools, SciPy)
 Debian packages come through apt, the rest from PyPI, each pinned by its
 SHA-256, into build/third_party/.  What is there already is left alone, so a
 second run takes a second.  What apt says goes to build/setup.log.

@@ -113,8 +113,8 @@ static void read_line(const char *line) {
     char name[NAME] = "";
     uint64_t address = 0;
     int v[5] = {0};
-    if (sscanf(line, "I %" SCNu64 " %d %d %d %d %d", &address, &v[0], &v[1], &v[2], &v[3],
-               &v[4]) == 6 &&
+    if (sscanf(line, "I %" SCNu64 " %d %d %d %d %d", &address, &v[0], &v[1], &v[2], &v[3], &v[4]) ==
+            6 &&
         place_at(address) != NULL) {
         place_t *place = place_at(address);
         place->known = true;
@@ -245,9 +245,8 @@ static void at_exit(qemu_plugin_id_t id, void *data) {
     (void)fclose(out);
 }
 
-__attribute__((visibility("default"))) int qemu_plugin_install(qemu_plugin_id_t id,
-                                                               const qemu_info_t *info, int argc,
-                                                               char **argv);
+__attribute__((visibility("default"))) int
+qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t *info, int argc, char **argv);
 
 int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t *info, int argc, char **argv) {
     (void)info;
