@@ -2,6 +2,7 @@
 """paper and report at a tiny size: what they write, and that the page's figures are the data's."""
 
 import csv
+import json
 import math
 import os
 import re
@@ -199,6 +200,9 @@ class Report(unittest.TestCase):
                 self.assertEqual(int(trials), TRIALS)
                 self.assertAlmostEqual(float(share), int(votes) / (2 * math.pi * float(radius)),
                                        delta=0.01)
+        for rows in json.loads((self.out / "table3.json").read_text()).values():
+            for row in rows if isinstance(rows, list) else ():
+                self.assertEqual(row["pictures"], 2 * TRIALS)
         # No trial's own largest threshold with a circle is below the one that works in all.
         for row in self.rows("c_distance"):
             if row["method"] == "hough_gradient":
