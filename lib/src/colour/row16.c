@@ -110,27 +110,79 @@ static inline uint32_t table_bits(const uint32_t *word, const uint8_t *group) {
     return bits;
 }
 
+/* What the table has for all blues, beside the red and green of each pixel of a group. */
+static inline uint32_t table_words(const uint32_t *word, const uint8_t *group) {
+    uint32_t words = 0U;
+
+    for (uint32_t at = 0U; at < TABLE_GROUP_BYTES; at += 4U) { /* bound: TABLE_GROUP / 2 */
+        const uint32_t two = ocel_load32(&group[at]);
+
+        words |= word[two >> 21U] | word[(two >> 5U) & 0x7FFU];
+    }
+    return words;
+}
+
+/* What a row's walk goes by; `group` is where it stands. */
+typedef struct {
+    const uint32_t *word;
+    const uint8_t *line;
+    const uint8_t *end;
+    uint32_t *row;
+} walk_t;
+
+/* The bits of a group, which go into the row. */
+static inline uint32_t look_up(const walk_t *walk, const uint8_t *group) {
+    const uint32_t x = (uint32_t)(group - walk->line) / 2U;
+    const uint32_t bits = table_bits(walk->word, group);
+
+    put(walk->row, x, bits);
+    return bits;
+}
+
+/* From group to group by glances, until one was looked up in vain; past that. */
+static inline const uint8_t *go_by_glances(const walk_t *walk, const glance_t *glance,
+                                           const uint8_t *group) {
+    bool useful = true;
+
+    /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail */
+    while ((group != walk->end) && useful) {
+        if (may_be_in(glance, group)) {
+            useful = look_up(walk, group) != 0U;
+        }
+        group = &group[TABLE_GROUP_BYTES];
+    }
+    return group;
+}
+
+/* The same by the words of the table. */
+static inline const uint8_t *go_by_words(const walk_t *walk, const uint8_t *group) {
+    bool useful = true;
+
+    /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail */
+    while ((group != walk->end) && useful) {
+        if (table_words(walk->word, group) != 0U) {
+            useful = look_up(walk, group) != 0U;
+        }
+        group = &group[TABLE_GROUP_BYTES];
+    }
+    return group;
+}
+
 /* Most of a background is too dark, too bright or too much of one channel all over
  * a group: a glance at the group's bits together takes a third of what looking all up
- * takes. */
+ * takes.  Where it varies too much for that, the reds and greens often tell that no blue
+ * is in range.  A group that was looked up in vain has the other of the two asked from
+ * there on. */
 void ocel_row16_table(const ocel_row16_table_t *table, const uint8_t *line, uint32_t pixels,
                       uint32_t *row) {
+    const walk_t walk = {table->word, line, &line[2U * pixels], row};
     const glance_t glance = glance_of(table);
-    const uint32_t *const word = table->word;
-    const uint8_t *const end = &line[2U * pixels];
     const uint8_t *group = line;
 
     /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail */
-    while (group != end) {
-        const bool may = may_be_in(&glance, group);
-
-        group = &group[TABLE_GROUP_BYTES];
-        if (may) {
-            const ptrdiff_t past = group - line;
-            const uint32_t x = ((uint32_t)past / 2U) - TABLE_GROUP;
-
-            put(row, x, table_bits(word, &line[2U * x]));
-        }
+    while (group != walk.end) {
+        group = go_by_glances(&walk, &glance, group);
+        group = go_by_words(&walk, group);
     }
 }
 
