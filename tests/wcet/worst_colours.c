@@ -67,6 +67,18 @@ static void table_lines(rng_t *rng) {
     }
 }
 
+/* In range by a glance, but no pixel is: then all by the table's words, each to look up. */
+static void table_after_vain(void) {
+    for (uint32_t x = 0U; x < (uint32_t)WIDTH; x++) {
+        const uint32_t vain = ((x % 2U) == 0U) ? 0xF800U : 0x034AU;
+        const uint32_t pixel = (x < 16U) ? vain : ((28U << 11U) | (26U << 5U) | 4U);
+        line[2U * x] = (uint8_t)pixel;
+        line[2U * x + 1U] = (uint8_t)(pixel >> 8U);
+    }
+    (void)ocel_colour_table_row(&table, line, sizeof(line), WIDTH, row);
+    (void)ocel_colour_table_row(&table, line, sizeof(line), WIDTH - 1, row);
+}
+
 static void teach_lines(rng_t *rng, ocel_space_t space, ocel_format_t format) {
     ocel_colour_range_t learnt;
 
@@ -89,6 +101,7 @@ void worst_colours(void) {
             } else if (i < 3U) {
                 test_lines(&rng);
                 table_lines(&rng);
+                table_after_vain();
             } else {
                 /* Another table is looked up as fast. */
             }

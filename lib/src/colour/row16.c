@@ -144,7 +144,8 @@ static inline const uint8_t *go_by_glances(const walk_t *walk, const glance_t *g
                                            const uint8_t *group) {
     bool useful = true;
 
-    /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail */
+    /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail;
+     * OCEL_MAX_WIDTH / TABLE_GROUP as groups in a call of ocel_row16_table */
     while ((group != walk->end) && useful) {
         if (may_be_in(glance, group)) {
             useful = look_up(walk, group) != 0U;
@@ -158,7 +159,8 @@ static inline const uint8_t *go_by_glances(const walk_t *walk, const glance_t *g
 static inline const uint8_t *go_by_words(const walk_t *walk, const uint8_t *group) {
     bool useful = true;
 
-    /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail */
+    /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail;
+     * OCEL_MAX_WIDTH / TABLE_GROUP as groups in a call of ocel_row16_table */
     while ((group != walk->end) && useful) {
         if (table_words(walk->word, group) != 0U) {
             useful = look_up(walk, group) != 0U;
