@@ -6,7 +6,7 @@ usage() {
     cat <<'HELP'
 usage: tools/figures.sh [--check FILE | --update FILE]
 
-Claim: the measured figures that the README states, and their limits: what a
+Claim: the measured figures of tests/FIGURES.md, and their limits: what a
 frame and a fit cost, beside OpenCV in the same run (callgrind), and how
 accurate the fits are (the accuracy programs of tests/accuracy).  Writes
 build/host/reports/figures.md and prints it; --check compares it with the block

@@ -27,7 +27,7 @@ FITS = (("fit-b2ac", "`ocel_fit_cracks`, `b2ac`", 4_000 + 50 * 250),
 FEW, MANY = 250, 1000
 # The robust cone fit: points, and the limit for them.
 CONE, CONE_LIMIT = 340, 100_000
-# Limits that are not reached yet.  What the README records still holds these
+# Limits that are not reached yet.  What tests/FIGURES.md records still holds these
 # figures from rising; one that gets within its limit must leave this list.
 OPEN = {"random"}
 

@@ -21,10 +21,11 @@ checks=(
     "misra      tools/check_misra.sh"
     "vendored   tools/check_vendored.sh"
     "readme     tools/check_readme.sh"
-    "sizes      tools/sizes.sh --check README.md"
-    "wcet       tools/wcet.py --check README.md"
-    "figures    tools/figures.sh --check README.md"
-    "tracking   tools/tracking.sh --check README.md"
+    "sizes      tools/sizes.sh --check lib/COSTS.md"
+    "wcet       tools/wcet.py --check lib/COSTS.md"
+    "figures    tools/figures.sh --check tests/FIGURES.md"
+    "tracking   tools/tracking.sh --check hostsim/README.md"
+    "headlines  tools/headlines.py --check README.md"
     "selftest   tools/gate_selftest.sh"
 )
 

@@ -128,8 +128,8 @@ C
 caught "too much code" "code" tools/sizes.sh
 sed -i 's/#define OCEL_MAX_CRACKS 2048/#define OCEL_MAX_CRACKS 2049/' lib/include/ocellus/config.h
 caught "too large a context" "the boundary pool" tools/sizes.sh
-sed -i '/<!-- sizes:begin -->/,/<!-- sizes:end -->/s/^| status | \([0-9]*\) /| status | 1\1 /' README.md
-caught "a wrong size in the README" "not what was measured" tools/sizes.sh --check README.md
+sed -i '/<!-- sizes:begin -->/,/<!-- sizes:end -->/s/^| status | \([0-9]*\) /| status | 1\1 /' lib/COSTS.md
+caught "a wrong size in the README" "not what was measured" tools/sizes.sh --check lib/COSTS.md
 
 sed -i '/<!-- example:output -->/,$s/[0-9]/7/g' README.md
 caught "an example that prints something else" "prints something else" tools/check_readme.sh

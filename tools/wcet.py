@@ -15,7 +15,7 @@ examples:
   tools/wcet.py --core m4 --width 320 --height 240 -O2      the bounds on your core
   tools/wcet.py --core m0 -Os --observe                     beside what was observed
   tools/wcet.py --core m4 -O2 --explain ocel_eye_end        where a bound comes from
-  tools/wcet.py --update README.md                          the README's table (--check)
+  tools/wcet.py --update lib/COSTS.md                       that file's table (--check)
 """
 import argparse
 import csv
@@ -67,7 +67,7 @@ def explain(study, name):
 
 
 def readme_table(args):
-    """Compares or writes the README's table; returns the exit status."""
+    """Compares or writes the table of lib/COSTS.md; returns the exit status."""
     large, small = (320, 240), (160, 120)
     configs = (("m4", *large, 2048), ("m4", *small, 1024), ("m0", *large, 2048))
     rows = []

@@ -83,7 +83,7 @@ def csv_rows(tables):
 
 
 def readme(sizes, rows):
-    """The README's table.  sizes: (width, height) of the large and the small image; rows:
+    """The table of lib/COSTS.md.  sizes: (width, height) of the large and the small image; rows:
     those of M4 with what was observed, of M4 for the small image, and of M0."""
     large, small, tiny = rows
     (width, height), (small_width, small_height) = sizes
