@@ -118,7 +118,8 @@ static void bound_table(ocel_colour_table_t *table) {
     uint32_t greens = 0U;
     uint32_t blues = 0U;
 
-    for (uint32_t k = 0U; k < OCEL_COLOUR_TABLE_WORDS; k++) { /* bound: OCEL_COLOUR_TABLE_WORDS */
+    for (uint32_t k = 0U; k < (uint32_t)OCEL_COLOUR_TABLE_WORDS;
+         k++) { /* bound: OCEL_COLOUR_TABLE_WORDS */
         const uint32_t some = (table->word[k] != 0U) ? 1U : 0U;
 
         reds |= some << (k >> 6U);

@@ -55,7 +55,7 @@ static inline shared_t share(const uint8_t *group) {
     return shared;
 }
 
-static inline uint32_t turned(uint32_t word) {
+static inline uint32_t halves_swapped(uint32_t word) {
     return (word << 16U) | (word >> 16U);
 }
 
@@ -69,23 +69,23 @@ static inline uint32_t channels_of(uint32_t pixel) {
 typedef struct {
     uint32_t up;
     uint32_t down;
-} glance_t;
+} extremes_t;
 
-static inline glance_t glance_of(const ocel_row16_table_t *table) {
-    const glance_t glance = {CARRIES - channels_of(table->least),
-                             CARRIES + CHANNELS - channels_of(table->headroom)};
+static inline extremes_t glance_of(const ocel_row16_table_t *table) {
+    const extremes_t glance = {CARRIES - channels_of(table->least),
+                               CARRIES + CHANNELS - channels_of(table->headroom)};
 
     return glance;
 }
 
 /* False when some channel of all pixels is below its least or above its greatest
  * value in range. */
-static inline bool may_be_in(const glance_t *glance, const uint8_t *group) {
+static inline bool may_be_in(const extremes_t *glance, const uint8_t *group) {
     const shared_t shared = share(group);
     const uint32_t some = (uint32_t)shared.some;
     const uint32_t all = (uint32_t)shared.all;
-    const uint32_t up = glance->up + ((some | turned(some)) & CHANNELS);
-    const uint32_t down = glance->down - ((all & turned(all)) & CHANNELS);
+    const uint32_t up = glance->up + ((some | halves_swapped(some)) & CHANNELS);
+    const uint32_t down = glance->down - ((all & halves_swapped(all)) & CHANNELS);
 
     return (up & down & CARRIES) == CARRIES;
 }
@@ -140,8 +140,9 @@ static inline uint32_t look_up(const walk_t *walk, const uint8_t *group) {
 }
 
 /* From group to group by glances, until one was looked up in vain; past that. */
-static inline const uint8_t *go_by_glances(const walk_t *walk, const glance_t *glance,
-                                           const uint8_t *group) {
+static inline const uint8_t *go_by_glances(const walk_t *walk, const extremes_t *glance,
+                                           const uint8_t *from) {
+    const uint8_t *group = from;
     bool useful = true;
 
     /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail;
@@ -156,7 +157,8 @@ static inline const uint8_t *go_by_glances(const walk_t *walk, const glance_t *g
 }
 
 /* The same by the words of the table. */
-static inline const uint8_t *go_by_words(const walk_t *walk, const uint8_t *group) {
+static inline const uint8_t *go_by_words(const walk_t *walk, const uint8_t *from) {
+    const uint8_t *group = from;
     bool useful = true;
 
     /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail;
@@ -178,7 +180,7 @@ static inline const uint8_t *go_by_words(const walk_t *walk, const uint8_t *grou
 void ocel_row16_table(const ocel_row16_table_t *table, const uint8_t *line, uint32_t pixels,
                       uint32_t *row) {
     const walk_t walk = {table->word, line, &line[2U * pixels], row};
-    const glance_t glance = glance_of(table);
+    const extremes_t glance = glance_of(table);
     const uint8_t *group = line;
 
     /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail */

@@ -14,7 +14,7 @@
 
 /* Takes a row whose first word with a pixel is `first` or beyond; past its words, or
  * null, it has none. */
-static void take_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32_t *row,
+static void hold_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32_t *row,
                      uint32_t first, ocel_ended_t *ended) {
     const bool is_held = lab->swept != lab->next_row;
     const bool is_empty = first == ocel_run_words(lab->width);
@@ -48,6 +48,6 @@ void ocel_rows_take(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32_
     if (is_idle && (first == words) && (row != NULL) && (ended->blob == NULL)) {
         lab->swept++;
     } else {
-        take_row(lab, pool, row, first, ended);
+        hold_row(lab, pool, row, first, ended);
     }
 }

@@ -59,11 +59,11 @@ static inline uint32_t count_bits(ocel_word_t bits) {
     return count;
 }
 
-static inline uint32_t lesser(uint32_t a, uint32_t b) {
+static inline uint32_t smaller_word(uint32_t a, uint32_t b) {
     return (a < b) ? a : b;
 }
 
-static inline uint32_t greater(uint32_t a, uint32_t b) {
+static inline uint32_t larger_word(uint32_t a, uint32_t b) {
     return (a > b) ? a : b;
 }
 
@@ -75,8 +75,8 @@ void ocel_specks_sweep(ocel_labeller_t *lab, ocel_crack_pool_t *pool) {
     uint32_t *const held = &held_row->word[1];
     const uint32_t *const below = &lab->rows[ocel_specks_row(lab, 2U)].word[1];
     const ocel_word_t invert = (ocel_word_t)lab->reach - 1U;
-    const uint32_t first = lesser(held_row->first, above_row->first);
-    const uint32_t end = greater(held_row->end, above_row->end);
+    const uint32_t first = smaller_word(held_row->first, above_row->first);
+    const uint32_t end = larger_word(held_row->end, above_row->end);
     const ocel_word_t no_singles = (lab->best.area == 0U) ? ~(ocel_word_t)0U : 0U;
     ocel_ended_t nobody = {NULL, 0U};
     uint32_t holes[OCEL_ROW_WORDS + 1];

@@ -102,8 +102,8 @@ static int32_t ratio_q25(uint32_t least_q24, uint32_t variance_q24) {
 
 /* A sector's weight, Q25, at most 2^25; of points, of which nothing is known but their number,
  * that over the power of two above all, at most 2^30 for all together. */
-static int32_t weight_q25(const ocel_cone_sums_t *sums, uint32_t k, uint32_t least_q24,
-                          uint32_t miss_q12) {
+static int32_t sector_weight_q25(const ocel_cone_sums_t *sums, uint32_t k, uint32_t least_q24,
+                                 uint32_t miss_q12) {
     const uint32_t n = sums->inliers[k];
     const uint32_t width_q12 = (uint32_t)sums->high_px_q13[k] >> 1U;
     const uint32_t variance_q24 = least_q24 + (width_q12 * width_q12) + (miss_q12 * miss_q12) +
@@ -119,9 +119,9 @@ typedef struct {
     int64_t m[OCEL_SYM3_COUNT]; /* Q39, Q25 with z, after sum_sectors Q60 */
     int64_t b_q38[3];           /* after sum_sectors Q60, in 8 px */
     int64_t squares_q51;        /* Q56 over 32 */
-} normal_t;
+} normal_equations_t;
 
-static void add_sector(normal_t *normal, uint32_t k, int32_t weight_q25, int32_t d_q13) {
+static void add_sector(normal_equations_t *normal, uint32_t k, int32_t weight_q25, int32_t d_q13) {
     const int32_t c_q14 = cosine_q14[k];
     const int32_t s_q14 = sine_q14(k);
     const int32_t wc_q25 = (int32_t)ocel_asr64((int64_t)weight_q25 * c_q14, 14U);
@@ -152,7 +152,7 @@ static uint32_t miss_q12(const ocel_cone_sums_t *sums, const ocel_cone_step_t *s
 
 /* Sums over 32 sectors, so Q55 is Q60 of a number of at most 1; and b is over 8 px too. */
 static void sum_sectors(const ocel_cone_sums_t *sums, const ocel_cone_step_t *step,
-                        uint32_t least_q24, bool first, normal_t *normal) {
+                        uint32_t least_q24, bool first, normal_equations_t *normal) {
     static const uint8_t up[OCEL_SYM3_COUNT] = {16U, 16U, 30U, 16U, 30U, 30U};
 
     (void)memset(normal, 0, sizeof(*normal));
@@ -160,7 +160,7 @@ static void sum_sectors(const ocel_cone_sums_t *sums, const ocel_cone_step_t *st
         if (sums->inliers[k] > 0U) {
             const uint32_t miss = first ? 0U : (MISS_TIMES * miss_q12(sums, step, k));
 
-            add_sector(normal, k, weight_q25(sums, k, least_q24, miss), sums->low_px_q13[k]);
+            add_sector(normal, k, sector_weight_q25(sums, k, least_q24, miss), sums->low_px_q13[k]);
         }
     }
     for (uint32_t k = 0U; k < (uint32_t)OCEL_SYM3_COUNT; k++) { /* bound: 6 */
@@ -174,7 +174,7 @@ static void sum_sectors(const ocel_cone_sums_t *sums, const ocel_cone_step_t *st
 bool ocel_cone_step(ocel_cone_sums_t *sums, ocel_cone_step_t *step) {
     const uint32_t least_q24 = estimate_all(sums, &step->sectors);
     bool known = (sums->inlier_count > 3U) && (sums->r_px_q16 >= 0x10000);
-    normal_t normal;
+    normal_equations_t normal;
 
     (void)memset(step->x_px_q24, 0, sizeof(step->x_px_q24));
     for (uint32_t round = 0U; known && (round < ROUNDS); round++) { /* bound: ROUNDS = 2 */

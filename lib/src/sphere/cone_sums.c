@@ -37,7 +37,7 @@ static inline bool is_between(int64_t v, uint64_t half) {
     return ((uint64_t)v + half) < (2U * half);
 }
 
-static inline bool is_within(int32_t d_px_q16, int32_t gate_px_q16) {
+static inline bool is_near(int32_t d_px_q16, int32_t gate_px_q16) {
     return ((uint32_t)d_px_q16 + (uint32_t)gate_px_q16) <= (2U * (uint32_t)gate_px_q16);
 }
 
@@ -84,7 +84,7 @@ static inline void sum_point(const ocel_cone_circle_t *circle, int32_t a, int32_
             half_across((along != 0U) ? x_q24 : y_q24, circle->half_px_q16[along]);
         const int32_t gate_px_q16 = circle->gate_px_q16 + half_px_q16;
 
-        if (is_within(d_px_q16, gate_px_q16)) {
+        if (is_near(d_px_q16, gate_px_q16)) {
             add_inlier(d_px_q16, half_px_q16, sector, sums);
         } else {
             const bool beyond = (a_q28 > 0) && (d_px_q16 > (gate_px_q16 + OUTSIDE_PX_Q16));
@@ -92,7 +92,7 @@ static inline void sum_point(const ocel_cone_circle_t *circle, int32_t a, int32_
             if (sums->others[sector] < UINT8_MAX) {
                 sums->others[sector]++;
             }
-            if (is_within(d_px_q16, gate_px_q16 + NEAR_PX_Q16)) {
+            if (is_near(d_px_q16, gate_px_q16 + NEAR_PX_Q16)) {
                 sums->mixed |= (uint32_t)1U << sector;
             }
             if (beyond) {
