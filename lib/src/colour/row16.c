@@ -132,10 +132,9 @@ typedef struct {
 
 /* The bits of a group, which go into the row. */
 static inline uint32_t look_up(const walk_t *walk, const uint8_t *group) {
-    const uint32_t x = (uint32_t)(group - walk->line) / 2U;
     const uint32_t bits = table_bits(walk->word, group);
 
-    put(walk->row, x, bits);
+    put(walk->row, (uint32_t)(group - walk->line) / 2U, bits);
     return bits;
 }
 
@@ -156,17 +155,13 @@ static inline const uint8_t *go_by_glances(const walk_t *walk, const extremes_t 
     return group;
 }
 
-/* The same by the words of the table. */
-static inline const uint8_t *go_by_words(const walk_t *walk, const uint8_t *from) {
+/* Past the groups whose words in the table say that they have no pixel in range. */
+static inline const uint8_t *skip_by_words(const walk_t *walk, const uint8_t *from) {
     const uint8_t *group = from;
-    bool useful = true;
 
     /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail;
      * OCEL_MAX_WIDTH / TABLE_GROUP as groups in a call of ocel_row16_table */
-    while ((group != walk->end) && useful) {
-        if (table_words(walk->word, group) != 0U) {
-            useful = look_up(walk, group) != 0U;
-        }
+    while ((group != walk->end) && (table_words(walk->word, group) == 0U)) {
         group = &group[TABLE_GROUP_BYTES];
     }
     return group;
@@ -174,19 +169,25 @@ static inline const uint8_t *go_by_words(const walk_t *walk, const uint8_t *from
 
 /* Most of a background is too dark, too bright or too much of one channel all over
  * a group: a glance at the group's bits together takes a third of what looking all up
- * takes.  Where it varies too much for that, the reds and greens often tell that no blue
- * is in range.  A group that was looked up in vain has the other of the two asked from
- * there on. */
+ * takes.  Where it varies too much for that, and a group was looked up in vain, the reds and
+ * greens often tell that no blue is in range; when they do not, they are not asked again in
+ * this row. */
 void ocel_row16_table(const ocel_row16_table_t *table, const uint8_t *line, uint32_t pixels,
                       uint32_t *row) {
     const walk_t walk = {table->word, line, &line[2U * pixels], row};
     const extremes_t glance = glance_of(table);
     const uint8_t *group = line;
+    bool words_tell = true;
 
     /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail */
     while (group != walk.end) {
         group = go_by_glances(&walk, &glance, group);
-        group = go_by_words(&walk, group);
+        if (words_tell) {
+            const uint8_t *const next = skip_by_words(&walk, group);
+
+            words_tell = next != group;
+            group = next;
+        }
     }
 }
 

@@ -4,6 +4,7 @@
  */
 #include "../base/int_math.h"
 #include "../base/scale.h"
+#include "../base/word.h"
 #include "moments.h"
 
 /* Sums of squares below 2^31 make every square so, and every quartic sum at most
@@ -20,15 +21,23 @@ static inline int64_t low_word(int64_t v) {
     return (int32_t)v;
 }
 
+/* An offset as it is subtracted: in a machine word, or the other kind of machine takes
+ * two instructions more for each. */
+#if OCEL_WORD_BITS == 64
+typedef int64_t offset_t;
+#else
+typedef int32_t offset_t;
+#endif
+
 /* Sums of u^i v^j, u and v the offsets from (x0, y0), |.| < 2^16: |sums| of the first
  * order are below 2^30.  The products are below 2^62; the sums are taken modulo 2^64,
  * so nothing overflows here, and the caller asks the second-order ones, which are
  * exact, whether the others are.  (Of factors that are seen to be 32 bits a 32-bit
  * core makes a product and its sum in one instruction.) */
-static void sum_cracks(const ocel_crack_t *cracks, size_t count, int32_t x0, int32_t y0,
+static void sum_cracks(const ocel_crack_t *cracks, size_t count, offset_t x0, offset_t y0,
                        int64_t *sum) {
-    int32_t s_x = 0;
-    int32_t s_y = 0;
+    offset_t s_x = 0;
+    offset_t s_y = 0;
     uint64_t s_xx = 0U;
     uint64_t s_xy = 0U;
     uint64_t s_yy = 0U;
@@ -46,21 +55,18 @@ static void sum_cracks(const ocel_crack_t *cracks, size_t count, int32_t x0, int
     /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_end or
      * ocel_eye_refit */
     for (i = 0U; i < count; i++) {
-        const int32_t u = (int32_t)cracks[i].x_hpx - x0;
-        const int32_t v = (int32_t)cracks[i].y_hpx - y0;
-        const int64_t x = u;
-        const int64_t y = v;
+        const int64_t x = low_word((offset_t)cracks[i].x_hpx - x0);
+        const int64_t y = low_word((offset_t)cracks[i].y_hpx - y0);
         const int64_t xx = x * x;
-        const int64_t xy = x * y;
         const int64_t yy = y * y;
         const int64_t xx_32 = low_word(xx);
-        const int64_t xy_32 = low_word(xy);
+        const int64_t xy_32 = low_word(x * y);
         const int64_t yy_32 = low_word(yy);
 
-        s_x += u;
-        s_y += v;
+        s_x += (offset_t)x;
+        s_y += (offset_t)y;
         s_xx += (uint64_t)xx;
-        s_xy += (uint64_t)xy;
+        s_xy += (uint64_t)(x * y);
         s_yy += (uint64_t)yy;
         s_xxx += (uint64_t)(xx_32 * x);
         s_xxy += (uint64_t)(xx_32 * y);
