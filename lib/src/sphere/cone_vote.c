@@ -154,8 +154,7 @@ static int32_t votes_for(const ocel_cone_samples_t *s, const plane_t *plane, int
 }
 
 /* The hypothesis with the most votes, the first of equals.  Hypothesis k goes through the
- * samples k, k + step and k + other step, the steps changing with k; the second time
- * round a sample meets the steps of its neighbour.  Of points in order along the
+ * samples k, k + step and k + other step, the steps changing with k.  Of points in order along the
  * boundary the triples span an eighth to two thirds of it; of points in any order any
  * three are as good.  Returns how many of them are cones: none, and there is no best. */
 static uint32_t elect(const ocel_cone_samples_t *samples, const ocel_cone_place_t *place,
@@ -166,7 +165,7 @@ static uint32_t elect(const ocel_cone_samples_t *samples, const ocel_cone_place_
     uint32_t count = 0U;
 
     for (uint32_t k = 0U; k < (uint32_t)OCEL_CONE_HYPOTHESES; k++) { /* bound: 32 */
-        const uint8_t *step = steps[(k + (k / SAMPLES)) % 8U];
+        const uint8_t *step = steps[k % 8U];
         plane_t plane;
 
         if (plane_through(samples, k % SAMPLES, (k + step[0]) % SAMPLES, (k + step[1]) % SAMPLES,
@@ -289,7 +288,7 @@ static bool cone_of(const plane_t *plane, const ocel_cone_place_t *place,
 
 bool ocel_cone_elect(const ocel_cone_samples_t *samples, const ocel_cone_place_t *place,
                      ocel_cone_guess_t *guess) {
-    plane_t plane;
+    plane_t plane = {0};
     bool found;
 
     guess->hypothesis_count = (uint16_t)elect(samples, place, &plane);
