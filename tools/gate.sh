@@ -6,13 +6,16 @@ usage() {
     cat <<'HELP'
 usage: tools/gate.sh [CHECK...]
 
-Runs every check of the gate, or the named ones (as listed by tools/gate.sh
---list); each is a script of its own with --help.  All run, whatever fails.
+Runs every check of the gate, two at a time, or the named ones (as listed by
+tools/gate.sh --list); each is a script of its own with --help.  All run,
+whatever fails.
 HELP
 }
 
 # One line a claim: the name, and the script that holds it.
 checks=(
+    "selftest   tools/gate_selftest.sh"
+    "figures    tools/figures.sh --check tests/FIGURES.md"
     "warnings   tools/check_warnings.sh"
     "format     tools/check_format.sh"
     "symbols    tools/check_symbols.sh"
@@ -23,10 +26,8 @@ checks=(
     "readme     tools/check_readme.sh"
     "sizes      tools/sizes.sh --check lib/COSTS.md"
     "wcet       tools/wcet.py --check lib/COSTS.md"
-    "figures    tools/figures.sh --check tests/FIGURES.md"
     "tracking   tools/tracking.sh --check hostsim/README.md"
     "headlines  tools/headlines.py --check README.md"
-    "selftest   tools/gate_selftest.sh"
 )
 
 case "${1:-}" in
@@ -35,22 +36,44 @@ case "${1:-}" in
 esac
 
 cd "$(dirname "$0")/.." || exit 1
-summary=()
-failed=0
+logs="$(mktemp -d)"
+trap 'rm -rf "$logs"' EXIT
+chosen=()
 for check in "${checks[@]}"; do
-    read -r name script <<<"$check"
-    if [ "$#" -gt 0 ] && [[ " $* " != *" $name "* ]]; then continue; fi
-    begun="$SECONDS"
-    verdict=passed
-    printf '\n--- %s: %s\n' "$name" "$script"
-    # shellcheck disable=SC2086  # the script's own options are words
-    $script || { verdict=FAILED && failed=1; }
-    summary+=("$(printf '%-7s %4d s  gate: %s' "$verdict" $((SECONDS - begun)) "$name")")
+    read -r name _ <<<"$check"
+    if [ "$#" -eq 0 ] || [[ " $* " == *" $name "* ]]; then chosen+=("$check"); fi
 done
-if [ "${#summary[@]}" -eq 0 ]; then
+if [ "${#chosen[@]}" -eq 0 ]; then
     echo "gate: no check named $*; see tools/gate.sh --list" >&2
     exit 2
 fi
+
+run() { # NAME SCRIPT...: its output, verdict and seconds go into files of that name
+    local name="$1" begun="$SECONDS" verdict=passed
+    shift
+    "$@" >"$logs/$name.out" 2>&1 || verdict=FAILED
+    printf '%-7s %4d s  gate: %s\n' "$verdict" $((SECONDS - begun)) "$name" >"$logs/$name.verdict"
+}
+
+# Two at a time, the longest first.
+started=0
+for check in "${chosen[@]}"; do
+    [ "$started" -lt 2 ] || wait -n
+    # shellcheck disable=SC2086  # the script's own options are words
+    run $check &
+    started=$((started + 1))
+done
+wait
+
+failed=0
+summary=()
+for check in "${chosen[@]}"; do
+    read -r name script <<<"$check"
+    printf '\n--- %s: %s\n' "$name" "$script"
+    cat "$logs/$name.out"
+    summary+=("$(cat "$logs/$name.verdict")")
+    [[ "${summary[-1]}" != FAILED* ]] || failed=1
+done
 printf '\n'
 printf '%s\n' "${summary[@]}"
 exit "$failed"
