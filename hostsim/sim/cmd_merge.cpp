@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "shard.hpp"
+#include "support/shard.hpp"
 
 namespace sim {
 

@@ -9,11 +9,11 @@
 
 #include "commands.hpp"
 #include "error.hpp"
-#include "plot.hpp"
-#include "report.hpp"
-#include "scenario_run.hpp"
-#include "threshold.hpp"
-#include "track.hpp"
+#include "report/plot.hpp"
+#include "report/report.hpp"
+#include "track/track.hpp"
+#include "trials/scenario_run.hpp"
+#include "trials/threshold.hpp"
 
 namespace sim {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "report.hpp"
+#include "report/report.hpp"
 
 namespace sim {
 

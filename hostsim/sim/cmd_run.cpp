@@ -5,7 +5,7 @@
 
 #include "commands.hpp"
 #include "error.hpp"
-#include "scenario_run.hpp"
+#include "trials/scenario_run.hpp"
 
 namespace sim {
 

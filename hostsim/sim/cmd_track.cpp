@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include "checks.hpp"
 #include "commands.hpp"
-#include "track.hpp"
+#include "track/track.hpp"
+#include "trials/checks.hpp"
 
 namespace sim {
 

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "answers.h"
+#include "trials/answers.h"
 #include "port.h"
 
 enum { VERSION = 1, TITLE = 8192, KEYS = 3, INTRINSICS = 9 };

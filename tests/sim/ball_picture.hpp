@@ -4,8 +4,8 @@
 #ifndef OCELLUS_TEST_BALL_PICTURE_HPP
 #define OCELLUS_TEST_BALL_PICTURE_HPP
 
-#include "drawing.hpp"
-#include "ellipse.hpp"
+#include "camera/drawing.hpp"
+#include "geometry/ellipse.hpp"
 #include "image.hpp"
 
 namespace sim {

@@ -5,8 +5,8 @@
 #include <unity.h>
 
 #include "ball_picture.hpp"
-#include "frames.hpp"
-#include "renderer.hpp"
+#include "camera/renderer.hpp"
+#include "geometry/frames.hpp"
 
 void setUp(void) {
 }

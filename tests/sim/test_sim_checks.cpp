@@ -6,8 +6,8 @@
 #include <unity.h>
 #include <vector>
 
-#include "checks.hpp"
-#include "random.hpp"
+#include "support/random.hpp"
+#include "trials/checks.hpp"
 
 void setUp(void) {
 }

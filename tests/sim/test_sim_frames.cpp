@@ -3,8 +3,8 @@
 // Signs and units where a coordinate changes its frame, and where rays meet.
 #include <unity.h>
 
-#include "estimate.hpp"
-#include "frames.hpp"
+#include "geometry/frames.hpp"
+#include "methods/estimate.hpp"
 
 void setUp(void) {
 }

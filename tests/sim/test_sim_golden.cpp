@@ -7,10 +7,10 @@
 #include <string>
 #include <unity.h>
 
-#include "frames.hpp"
-#include "paper_head.hpp"
-#include "renderer.hpp"
-#include "stage.hpp"
+#include "camera/renderer.hpp"
+#include "geometry/frames.hpp"
+#include "trials/stage.hpp"
+#include "world/paper_head.hpp"
 
 void setUp(void) {
 }

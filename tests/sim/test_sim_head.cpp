@@ -6,9 +6,9 @@
 
 #include <ocellus/head.h>
 
-#include "frames.hpp"
-#include "random.hpp"
-#include "world.hpp"
+#include "geometry/frames.hpp"
+#include "support/random.hpp"
+#include "world/world.hpp"
 
 void setUp(void) {
 }

@@ -6,13 +6,13 @@
 #include <unity.h>
 
 #include "ball_picture.hpp"
-#include "detector.hpp"
-#include "frames.hpp"
-#include "methods.hpp"
-#include "paper_head.hpp"
-#include "random.hpp"
-#include "renderer.hpp"
-#include "stage.hpp"
+#include "camera/renderer.hpp"
+#include "geometry/frames.hpp"
+#include "methods/detector.hpp"
+#include "methods/methods.hpp"
+#include "support/random.hpp"
+#include "trials/stage.hpp"
+#include "world/paper_head.hpp"
 
 void setUp(void) {
 }

@@ -3,10 +3,10 @@
 // Each method on one rendered ball, clear and half hidden, and on none.
 #include <unity.h>
 
-#include "frames.hpp"
-#include "methods.hpp"
-#include "random.hpp"
-#include "renderer.hpp"
+#include "camera/renderer.hpp"
+#include "geometry/frames.hpp"
+#include "methods/methods.hpp"
+#include "support/random.hpp"
 
 void setUp(void) {
 }

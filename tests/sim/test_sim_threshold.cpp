@@ -3,9 +3,9 @@
 // The threshold table's search against a twin that tries every threshold.
 #include <opencv2/imgproc.hpp>
 
-#include "hough.hpp"
-#include "random.hpp"
-#include "threshold.hpp"
+#include "methods/hough.hpp"
+#include "support/random.hpp"
+#include "trials/threshold.hpp"
 
 #include <unity.h> // last: it defines isinf and isnan as macros
 

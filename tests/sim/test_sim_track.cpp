@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <opencv2/videoio.hpp>
 
-#include "frames.hpp"
-#include "random.hpp"
-#include "track_loop.hpp"
-#include "video.hpp"
+#include "geometry/frames.hpp"
+#include "support/random.hpp"
+#include "support/video.hpp"
+#include "track/track_loop.hpp"
 
 // Last: its macros have names of the standard library's.
 #include <unity.h>
