@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "trials/answers.h"
 #include "port.h"
+#include "trials/answers.h"
 
 enum { VERSION = 1, TITLE = 8192, KEYS = 3, INTRINSICS = 9 };
 
