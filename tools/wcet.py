@@ -47,7 +47,7 @@ def arguments():
                         "when one took longer than its bound, or a bound is looser than --limits")
     parser.add_argument("--limits", metavar="CSV", default=ROOT / "tests" / "wcet" / "limits.csv",
                         help="how loose a bound may be (default tests/wcet/limits.csv)")
-    parser.add_argument("--explain", metavar="FUNCTION", help="where its worst path spends most")
+    parser.add_argument("--explain", metavar="FUNCTION", help="where its worst path spends its instructions")
     parser.add_argument("--check", metavar="FILE", help="compare the block <!-- wcet:begin --> of "
                         "FILE with the bounds: each number within 2 %%")
     parser.add_argument("--update", metavar="FILE", help="write them there")
@@ -62,8 +62,9 @@ def explain(study, name):
     analysis = study.analysis(study.library())
     print(f"{name}: at most {analysis.bound(name)[0]} instructions; of its worst path")
     print("  instructions  executions  function, source line, call")
-    for cost, times, function, where, callee in analysis.explain(name)[:30]:
-        print(f"{cost:14.0f} {times:11.0f}  {function} {where} {callee}")
+    for cost, times, function, where, callee in analysis.explain(name):
+        if times > 0:
+            print(f"{cost:14.0f} {times:11.1f}  {function} {where} {callee}")
 
 
 def readme_table(args):
