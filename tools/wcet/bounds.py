@@ -230,10 +230,10 @@ class Matcher:
         return nest[-1][0] if nest else None
 
     def statements(self, flow):
-        """[(note, path, calls, others)] of the `at most` notes beside what this flow does:
-        places that end in the statement's call, and those of what was inlined for it, its
-        loops apart."""
-        found = collections.defaultdict(lambda: ([], []))
+        """[(note, path, calls, others, looping)] of the `at most` notes beside what this flow
+        does: places that end in the statement's call, and those of what was inlined for it,
+        those in its loops apart."""
+        found = collections.defaultdict(lambda: ([], [], []))
         for place, block in flow.blocks.items():
             for insn in block.insns:
                 calls_here = insn.kind == "call" or (
@@ -243,13 +243,14 @@ class Matcher:
                 frames = self.lines.frames(flow.function.address, insn.address)
                 for i, frame in enumerate(frames):
                     for note in self.annotations.statement_notes(frame.path, frame.line):
-                        calls, others = found[(note, frame.path)]
+                        calls, others, looping = found[(note, frame.path)]
+                        in_loop = any(self.annotations.loops_at(f.path, f.line)
+                                      for f in frames[i + 1:])
                         if calls_here and i + 1 == len(frames):
                             calls.append(place)
-                        elif place not in others and not any(
-                                self.annotations.loops_at(f.path, f.line) for f in frames[i + 1:]):
-                            others.append(place)
-        return [(note, path, calls, others) for (note, path), (calls, others) in found.items()]
+                        elif place not in (looping if in_loop else others):
+                            (looping if in_loop else others).append(place)
+        return [(note, path, *places) for (note, path), places in found.items()]
 
     def _is_body(self, flow, place, nests, instances):
         """True of a block with something of the source loop's body that no compiler

@@ -358,23 +358,35 @@ class Analysis:
 
     def _add_up_groups(self, clones, over):
         """Statements that are counted among a group: each by the first of its places, which
-        is executed no more often than it."""
+        is executed no more often than it, or where all of it is a loop by what comes to that."""
         for clone in clones:
-            for note, path, calls, others in self.statements(clone.flow.name):
+            for note, path, calls, others, looping in self.statements(clone.flow.name):
                 for clause in note.clauses:
                     whole = clone.within(clause.names)
                     if clause.group and whole:
                         limit = self.matcher.annotations.value(path, clause)
-                        first = clone.flow.first_of(calls + others)
-                        over[(whole, clause.group, limit)] += [
-                            (v, 1.0) for v in clone.into[first]]
+                        if calls + others:
+                            come_to = clone.into[clone.flow.first_of(calls + others)]
+                        else:
+                            come_to = self._coming_to_loop(clone, looping)
+                        over[(whole, clause.group, limit)] += [(v, 1.0) for v in come_to]
+
+    def _coming_to_loop(self, clone, places):
+        """Variables of what comes to the one loop that all these places are in."""
+        first = clone.flow.first_of(places)
+        innermost = [loop for loop in clone.flow.loops if first in loop.body][-1]
+        outermost = self._outermost(clone, innermost)
+        if self.matched(clone.flow.name)[outermost].loop.parent or \
+                any(place not in outermost.body for place in places):
+            raise Refused(f"{clone.flow.name}: `at most` beside what is more than one loop")
+        return clone.entering(outermost)
 
     def _bound_statements(self, clones, most):
         """Executions of statements: of their calls together, and of each place of what was
         inlined for them."""
         over = collections.defaultdict(list)
         for clone in clones:
-            for note, path, calls, others in self.statements(clone.flow.name):
+            for note, path, calls, others, _ in self.statements(clone.flow.name):
                 for clause in note.clauses:
                     limit = self.matcher.annotations.value(path, clause)
                     for place in calls + others:

@@ -11,15 +11,22 @@
 
 /* ---- Labels: union-find ---- */
 
+/* Rounds in which a root is found, two steps each.  As the smaller area goes under the
+ * larger one, each step at least doubles the area: at most log2 of the pixels of a frame,
+ * and in 2^12 by 2^12 there are 2^24. */
+#if ((OCEL_MAX_WIDTH * OCEL_MAX_HEIGHT) < 0x20000)
+#define FIND_ROUNDS 8
+#else
+#define FIND_ROUNDS 12
+#endif
+
 /* The root of a label, halving the way to it (Tarjan and van Leeuwen, "Worst-case
  * analysis of set union algorithms", 1984).  Merged labels are resolved at the
- * end of each row, so there is a way only within a row; and as the smaller area goes
- * under the larger one, each step of it at least doubles the area: 24 steps at most,
- * two a trip. */
-uint32_t ocel_frontier_find(ocel_labeller_t *lab, uint32_t label) {
+ * end of each row, so there is a way only within a row. */
+static uint32_t find_root(ocel_labeller_t *lab, uint32_t label) {
     uint32_t at = label;
 
-    while (lab->parent[at] != at) { /* bound: 13, half of log2 of the most pixels, and one */
+    while (lab->parent[at] != at) { /* bound: FIND_ROUNDS */
         lab->parent[at] = lab->parent[lab->parent[at]];
         at = lab->parent[at];
     }
@@ -31,7 +38,7 @@ static inline uint32_t take_label(ocel_labeller_t *lab) {
     uint32_t label = lab->free_label;
 
     if (label != OCEL_NO_LABEL) {
-        lab->free_label = lab->parent[label];
+        lab->free_label = lab->live[label];
     } else {
         label = lab->stats.labels_max;
         lab->stats.labels_max++;
@@ -42,7 +49,7 @@ static inline uint32_t take_label(ocel_labeller_t *lab) {
 }
 
 static inline void give_label(ocel_labeller_t *lab, uint32_t label) {
-    lab->parent[label] = lab->free_label;
+    lab->live[label] = lab->free_label;
     lab->free_label = (uint16_t)label;
 }
 
@@ -63,16 +70,23 @@ uint32_t ocel_frontier_unite(ocel_labeller_t *lab, uint32_t a, uint32_t b) {
     return root;
 }
 
+/* Newest first: what a label went under was merged later, so it has been resolved, or
+ * is a root. */
 void ocel_frontier_release(ocel_labeller_t *lab) {
-    uint32_t label = lab->merged_label;
+    const uint32_t newest = lab->merged_label;
+    uint32_t label = newest;
+    uint32_t oldest = OCEL_NO_LABEL;
 
     while (label != OCEL_NO_LABEL) { /* bound: OCEL_MAX_LABELS */
-        const uint32_t next = lab->live[label];
-
-        give_label(lab, label);
-        label = next;
+        lab->parent[label] = lab->parent[lab->parent[label]];
+        oldest = label;
+        label = lab->live[label];
     }
-    lab->merged_label = OCEL_NO_LABEL;
+    if (oldest != OCEL_NO_LABEL) {
+        lab->live[oldest] = lab->free_label;
+        lab->free_label = (uint16_t)newest;
+        lab->merged_label = OCEL_NO_LABEL;
+    }
 }
 
 /* ---- Runs ---- */
@@ -96,23 +110,34 @@ void ocel_frontier_lose(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t 
 
 /* A newborn run of the row above gets what a component has: a label, its sums
  * and its edges; lost at once when there are no cells. */
-static void settle_newborn(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run) {
+static uint32_t settle_newborn(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run) {
     const uint32_t end = (uint32_t)run->end - lab->reach;
     const uint32_t root = take_label(lab);
     const ocel_crack_pair_t pair =
         ocel_frontier_take_edges(lab, pool, root, run->start, end, OCEL_NO_CELL);
 
+    /* at most: 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row */
     run->label = (uint16_t)root;
     run->head = (uint16_t)pair.head;
     run->tail = (uint16_t)pair.tail;
     ocel_component_start(&lab->component[root], run->start, end, (uint32_t)lab->swept - 1U);
+    return root;
 }
 
 uint32_t ocel_frontier_settle(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run) {
+    uint32_t root;
+
     if (run->label == OCEL_NEWBORN) {
-        settle_newborn(lab, pool, run);
+        /* at most: OCEL_MAX_RUNS in a call of ocel_sweep_row;
+         * 2 * OCEL_MAX_RUNS as places in a call of ocel_sweep_row;
+         * 2 * OCEL_MAX_RUNS as lives in a call of ocel_sweep_row;
+         * 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row */
+        root = settle_newborn(lab, pool, run);
+    } else {
+        /* at most: OCEL_MAX_RUNS as merges in a call of ocel_sweep_row */
+        root = find_root(lab, run->label);
     }
-    return ocel_frontier_find(lab, run->label);
+    return root;
 }
 
 /* The component has ended above the row in hand.  Its boundary goes from head to
@@ -178,7 +203,9 @@ ocel_run_t *ocel_frontier_end(ocel_labeller_t *lab, ocel_crack_pool_t *pool, oce
                               uint32_t start, ocel_ended_t *ended) {
     ocel_run_t *at = run;
 
-    /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS as parents in a call of ocel_sweep_row */
+    /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS as parents in a call of ocel_sweep_row;
+     * OCEL_MAX_RUNS as columns in a call of ocel_sweep_row;
+     * 2 * OCEL_MAX_RUNS as lives in a call of ocel_sweep_row */
     while (at->end <= start) {
         if (is_noise(lab, at, ended)) {
             lab->stats.components++;

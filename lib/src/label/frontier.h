@@ -92,10 +92,8 @@ static inline uint32_t ocel_frontier_root(ocel_labeller_t *lab, ocel_crack_pool_
  * was.  Returns the root. */
 uint32_t ocel_frontier_unite(ocel_labeller_t *lab, uint32_t a, uint32_t b);
 
-/* The root of a label that has been merged away. */
-uint32_t ocel_frontier_find(ocel_labeller_t *lab, uint32_t label);
-
-/* At the row's end, when every run has its root: frees the merged labels. */
+/* At the row's end: frees the labels that were merged away in it.  Until they are
+ * taken again parent[] tells the root of each. */
 void ocel_frontier_release(ocel_labeller_t *lab);
 
 /* Ends the runs above, from `run` on, that touch nothing from column `start` on:

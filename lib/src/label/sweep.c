@@ -90,6 +90,7 @@ static inline void absorb_parent(ocel_labeller_t *lab, ocel_crack_pool_t *pool, 
     const bool is_hole = s->root == other;
 
     if (!is_hole) {
+        /* at most: OCEL_MAX_RUNS as merges in a call of ocel_sweep_row */
         s->root = ocel_frontier_unite(lab, s->root, other);
     }
     lab->live[s->root]--;
@@ -114,6 +115,7 @@ static inline void continue_component(ocel_labeller_t *lab, ocel_crack_pool_t *p
 
     /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS as parents in a call of ocel_sweep_row */
     while ((touch_end > s->reach_end) && (s->parent->start < touch_end)) {
+        /* at most: 1; 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row */
         absorb_parent(lab, pool, s);
     }
     if ((lab->live[s->root] < OCEL_LOST) || (after != OCEL_NO_CELL)) {
@@ -121,6 +123,7 @@ static inline void continue_component(ocel_labeller_t *lab, ocel_crack_pool_t *p
     }
     s->right = pair.tail;
     s->child->label = (uint16_t)s->root;
+    /* at most: OCEL_MAX_RUNS as columns in a call of ocel_sweep_row */
     s->child->head = (uint16_t)pair.head;
     s->child->tail = (uint16_t)pair.tail;
 }
@@ -238,10 +241,6 @@ static inline void next_hole(hole_scan_t *scan) {
     scan->column = take_column(&scan->bits, scan->base);
 }
 
-static inline uint32_t root_of(ocel_labeller_t *lab, uint32_t label) {
-    return (lab->parent[label] == label) ? label : ocel_frontier_find(lab, label);
-}
-
 /* Adds the frontier's runs in some rows to their components, less the holes that
  * were filled; labels that were merged away give way to their roots. */
 static void add_rows(ocel_labeller_t *lab, const uint32_t *holes, const ocel_rows_t *rows) {
@@ -254,14 +253,14 @@ static void add_rows(ocel_labeller_t *lab, const uint32_t *holes, const ocel_row
         scan.bits = holes[0];
         next_hole(&scan);
     }
-    while (run->end != OCEL_ROW_END) { /* bound: OCEL_MAX_RUNS */
+    while (run->label != OCEL_NO_LABEL) { /* bound: OCEL_MAX_RUNS */
         const uint32_t label = run->label;
 
         if (label == OCEL_NEWBORN) {
             run = ocel_frontier_after(lab, run);
         } else {
             const uint32_t left = run->start;
-            const uint32_t root = root_of(lab, label);
+            const uint32_t root = lab->parent[label];
             ocel_row_sums_t sums = {0U, 0U, 0U};
             uint32_t end;
 
@@ -279,6 +278,8 @@ static void add_rows(ocel_labeller_t *lab, const uint32_t *holes, const ocel_row
                 run->label = (uint16_t)root;
                 run = ocel_frontier_after(lab, run);
             } while (run->label == label);
+            /* at most: 2 * OCEL_MAX_RUNS as lives in a call of ocel_sweep_row;
+             * 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row */
             ocel_component_add(&lab->component[root], &sums, left, end, rows);
         }
     }
@@ -304,8 +305,8 @@ void ocel_sweep_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32_
     ocel_frontier_set(lab, first, s.child);
     lab->stats.runs += lab->runs;
     ocel_rows_add(&here, lab->swept);
-    add_rows(lab, holes, &here);
     ocel_frontier_release(lab);
+    add_rows(lab, holes, &here);
     lab->swept++;
     lab->repeats_lost = 0U;
 }
