@@ -138,8 +138,8 @@ typedef struct {
     ocel_bit_row_t rows[3];
     ocel_run_t frontier[OCEL_FRONTIER_RUNS];
     uint16_t parent[OCEL_MAX_LABELS + 1]; /* union-find: itself when a root */
-    uint16_t live[OCEL_MAX_LABELS];       /* root: its runs in the frontier, and a flag (frontier.h);
-                                           * merged away or free: the next such label */
+    uint16_t live[OCEL_MAX_LABELS]; /* root: its runs in the frontier, and a flag (frontier.h);
+                                     * merged away or free: the next such label */
     ocel_component_t component[OCEL_MAX_LABELS];
 } ocel_labeller_t;
 

@@ -34,7 +34,9 @@ void ocel_crack_give_from(ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger, 
         uint32_t link = ocel_crack_link(pool, head);
 
         /* bound: OCEL_MAX_CRACKS; OCEL_MAX_CRACKS + 4 * OCEL_MAX_RUNS in a call of
-         * ocel_sweep_row or ocel_sweep_repeat */
+         * ocel_sweep_row or ocel_sweep_repeat; OCEL_MAX_CRACKS + 8 * OCEL_MAX_RUNS in a
+         * call of ocel_label_row; OCEL_MAX_CRACKS + 6 * OCEL_MAX_RUNS in a call of
+         * ocel_label_end; 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS in a call of ocel_eye_frame */
         while (link != OCEL_NO_CELL) {
             tail = link;
             link = ocel_crack_link(pool, link);

@@ -130,11 +130,18 @@ uint32_t ocel_frontier_settle(ocel_labeller_t *lab, ocel_crack_pool_t *pool, oce
     if (run->label == OCEL_NEWBORN) {
         /* at most: OCEL_MAX_RUNS in a call of ocel_sweep_row;
          * 2 * OCEL_MAX_RUNS as places in a call of ocel_sweep_row;
+         * 2 * OCEL_MAX_RUNS as places in a call of ocel_label_end;
          * 2 * OCEL_MAX_RUNS as lives in a call of ocel_sweep_row;
-         * 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row */
+         * 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row;
+         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as runs in a call of ocel_eye_frame;
+         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame;
+         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as sums in a call of ocel_eye_frame;
+         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as parents in a call of ocel_eye_frame */
         root = settle_newborn(lab, pool, run);
     } else {
-        /* at most: OCEL_MAX_RUNS as merges in a call of ocel_sweep_row */
+        /* at most: OCEL_MAX_RUNS as merges in a call of ocel_sweep_row;
+         * OCEL_MAX_RUNS as merges in a call of ocel_label_end;
+         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as parents in a call of ocel_eye_frame */
         root = find_root(lab, run->label);
     }
     return root;
@@ -150,6 +157,8 @@ static void end_component(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_
 
     lab->stats.components++;
     if (ended->blob != NULL) {
+        /* at most: 1; 0 in a call of ocel_eye_row or ocel_eye_line or ocel_eye_frame or
+         * ocel_eye_end */
         ocel_component_blob(component, bottom, lab->width, lab->height, &ended->blob[ended->count]);
         ended->count++;
     }
@@ -182,6 +191,7 @@ static void end_run(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *r
         head = OCEL_NO_CELL;
     }
     if ((live & ~OCEL_LOST) == 0U) {
+        /* at most: 1; OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as labels in a call of ocel_eye_frame */
         end_component(lab, pool, root, head, tail, ended);
     } else if (head != OCEL_NO_CELL) {
         ocel_crack_set_link(pool, tail, head);

@@ -14,6 +14,38 @@
 
 #include "crack.h"
 
+/* What can happen together.  The bounds beside the loops of this stage count events in
+ * groups; n is OCEL_MAX_RUNS, so a row has at most 2 n + 1 columns with the one behind it.
+ * In a sweep over a row:
+ *
+ *   parents  Each run above is a run's first parent, or absorbed by one, or ends: n.
+ *   columns  Runs above that end and runs with a parent: n.  Of each choose a column: of
+ *            the one any; of the other one in which its parent is above it, or, where
+ *            corners touch, any.  No two of these are neighbours.
+ *   places   Rows that repeated one are added for the runs above that are not newborn, and
+ *            only a newborn one is settled: n.  A run with h filled holes takes 2 h + 2
+ *            columns, so runs and holes of the row: n.
+ *   lives    Sums are added for runs above that are not newborn, at most one each, and for
+ *            runs of the row with a parent.  With places and columns, these sums, runs
+ *            above that are settled and those that end: 2 n.
+ *   joins    Sums of the row begin at a run's first parent, or where a run absorbs a parent
+ *            with more pixels than the component had.  Settled runs twice, what is absorbed
+ *            and all sums: at most 3 for a run above and the column behind it, or 4 when it
+ *            is newborn and larger than what absorbs it, and then it takes 3 columns; so
+ *            3/2 a column, 3 n + 1.
+ *   merges   The first run above of a label that is come upon is of that label still.  So
+ *            runs whose root is searched for and unions: n, as unions need one run each
+ *            that is the first.
+ *
+ * In a frame of h rows, repeated ones among them:
+ *
+ *   runs     Runs with a parent, newborn ones that are settled in time, and those of rows
+ *            that are repeated: h n.  places, sums: h n by the same division.
+ *   labels   A union or an end ends a label, and each began with a newborn run, so they
+ *            and runs with a parent: h n.
+ *   parents  Each run is searched for, or settled, once: h n.
+ *   rows     Rows are swept over, or repeat one and are added later: h. */
+
 /* No label: ends the lists of free and of merged labels. */
 #define OCEL_NO_LABEL 0x7FFFU
 

@@ -106,6 +106,7 @@ void ocel_specks_sweep(ocel_labeller_t *lab, ocel_crack_pool_t *pool) {
     if ((changes == 0U) && (filled == 0U)) {
         ocel_sweep_repeat(lab, pool);
     } else {
+        /* at most: 1; OCEL_MAX_HEIGHT as rows in a call of ocel_eye_frame */
         ocel_sweep_row(lab, pool, (filled != 0U) ? &holes[held_row->first] : NULL, &nobody);
     }
 }

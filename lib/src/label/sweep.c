@@ -90,7 +90,9 @@ static inline void absorb_parent(ocel_labeller_t *lab, ocel_crack_pool_t *pool, 
     const bool is_hole = s->root == other;
 
     if (!is_hole) {
-        /* at most: OCEL_MAX_RUNS as merges in a call of ocel_sweep_row */
+        /* at most: OCEL_MAX_RUNS as merges in a call of ocel_sweep_row;
+         * OCEL_MAX_RUNS as merges in a call of ocel_label_end;
+         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as labels in a call of ocel_eye_frame */
         s->root = ocel_frontier_unite(lab, s->root, other);
     }
     lab->live[s->root]--;
@@ -113,7 +115,8 @@ static inline void continue_component(ocel_labeller_t *lab, ocel_crack_pool_t *p
     const uint32_t touch_end = end + s->reach;
     ocel_crack_pair_t pair = {OCEL_NO_CELL, OCEL_NO_CELL};
 
-    /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS as parents in a call of ocel_sweep_row */
+    /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS as parents in a call of ocel_sweep_row;
+     * OCEL_MAX_RUNS in a call of ocel_label_end */
     while ((touch_end > s->reach_end) && (s->parent->start < touch_end)) {
         /* at most: 1; 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row */
         absorb_parent(lab, pool, s);
@@ -123,7 +126,10 @@ static inline void continue_component(ocel_labeller_t *lab, ocel_crack_pool_t *p
     }
     s->right = pair.tail;
     s->child->label = (uint16_t)s->root;
-    /* at most: OCEL_MAX_RUNS as columns in a call of ocel_sweep_row */
+    /* at most: OCEL_MAX_RUNS as columns in a call of ocel_sweep_row;
+     * OCEL_MAX_RUNS in a call of ocel_label_end;
+     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as runs in a call of ocel_eye_frame;
+     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as labels in a call of ocel_eye_frame */
     s->child->head = (uint16_t)pair.head;
     s->child->tail = (uint16_t)pair.tail;
 }
@@ -265,12 +271,16 @@ static void add_rows(ocel_labeller_t *lab, const uint32_t *holes, const ocel_row
             uint32_t end;
 
             /* bound: OCEL_MAX_RUNS in all rounds of the outer loop;
-             * 2 * OCEL_MAX_RUNS as places in a call of ocel_sweep_row */
+             * 2 * OCEL_MAX_RUNS as places in a call of ocel_sweep_row;
+             * 2 * OCEL_MAX_RUNS as places in a call of ocel_label_end;
+             * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame */
             do {
                 end = (uint32_t)run->end - reach;
                 ocel_row_sums_add(&sums, run->start, end);
                 /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS in a call of ocel_sweep_row;
-                 * 2 * OCEL_MAX_RUNS as places in a call of ocel_sweep_row */
+                 * 2 * OCEL_MAX_RUNS as places in a call of ocel_sweep_row;
+                 * 2 * OCEL_MAX_RUNS as places in a call of ocel_label_end;
+                 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame */
                 while (scan.column < end) {
                     ocel_row_sums_drop(&sums, scan.column);
                     next_hole(&scan);
@@ -279,7 +289,9 @@ static void add_rows(ocel_labeller_t *lab, const uint32_t *holes, const ocel_row
                 run = ocel_frontier_after(lab, run);
             } while (run->label == label);
             /* at most: 2 * OCEL_MAX_RUNS as lives in a call of ocel_sweep_row;
-             * 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row */
+             * 2 * OCEL_MAX_RUNS in a call of ocel_label_end;
+             * 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row;
+             * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as sums in a call of ocel_eye_frame */
             ocel_component_add(&lab->component[root], &sums, left, end, rows);
         }
     }
@@ -294,6 +306,7 @@ void ocel_sweep_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32_
     ocel_rows_t here = none;
 
     if (lab->repeats.count != 0U) {
+        /* at most: 1; OCEL_MAX_HEIGHT as rows in a call of ocel_eye_frame */
         add_rows(lab, NULL, &lab->repeats);
         lab->repeats = none;
     }
@@ -317,7 +330,10 @@ static bool repeat_runs(ocel_labeller_t *lab, ocel_crack_pool_t *pool) {
     ocel_run_t *run = &lab->frontier[lab->first_run];
     bool lost = true;
 
-    while (run->end != OCEL_ROW_END) { /* bound: OCEL_MAX_RUNS */
+    /* bound: OCEL_MAX_RUNS;
+     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as runs in a call of ocel_eye_frame;
+     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as labels in a call of ocel_eye_frame */
+    while (run->end != OCEL_ROW_END) {
         const uint32_t root = ocel_frontier_root(lab, pool, run);
 
         if ((lab->live[root] < OCEL_LOST) || (run->head != OCEL_NO_CELL)) {
