@@ -67,16 +67,55 @@ static void table_lines(rng_t *rng) {
     }
 }
 
-/* In range by a glance, but no pixel is: then all by the table's words, each to look up. */
-static void table_after_vain(void) {
+/* Two RGB565 pixels in turn, of which a glance says that the second of `ranges` may have
+ * them. */
+typedef struct {
+    uint16_t pixel[2];
+} pair_t;
+
+static pair_t pair_of(char kind) {
+    static const pair_t none_by_words = {{0xF800U, 0x034AU}};
+    static const pair_t none = {{(31U << 11U) | (26U << 5U) | 31U, 0U}};
+    static const pair_t all = {{(28U << 11U) | (26U << 5U) | 4U, (28U << 11U) | (26U << 5U) | 4U}};
+    return (kind == 'w') ? none_by_words : ((kind == 'n') ? none : all);
+}
+
+/* A group of sixteen pixels for each character: w, none is in range and the table's words
+ * tell; n, none is and they do not; a, all are. */
+static void fill_groups(const char *groups) {
     for (uint32_t x = 0U; x < (uint32_t)WIDTH; x++) {
-        const uint32_t vain = ((x % 2U) == 0U) ? 0xF800U : 0x034AU;
-        const uint32_t pixel = (x < 16U) ? vain : ((28U << 11U) | (26U << 5U) | 4U);
-        line[2U * x] = (uint8_t)pixel;
-        line[2U * x + 1U] = (uint8_t)(pixel >> 8U);
+        const pair_t pair = pair_of(groups[x / 16U]);
+        line[2U * x] = (uint8_t)pair.pixel[x % 2U];
+        line[2U * x + 1U] = (uint8_t)(pair.pixel[x % 2U] >> 8U);
     }
-    (void)ocel_colour_table_row(&table, line, sizeof(line), WIDTH, row);
-    (void)ocel_colour_table_row(&table, line, sizeof(line), WIDTH - 1, row);
+}
+
+/* What a search over the kinds of all groups found to take longest: nearly all are looked
+ * up, many in vain, and now and then the table's words are asked. */
+static void table_groups(void) {
+    static const char *const longest[] = {"wnnnnwwnnnnnnnnwwnan", "wnnwnwnwwnnwwnwnwwnw",
+                                          "nnnnwnwnnnnnnnnnnwww", "waaaaaaaaaaaaaaaaaaa"};
+    for (size_t i = 0U; i < sizeof(longest) / sizeof(longest[0]); i++) {
+        fill_groups(longest[i]);
+        (void)ocel_colour_table_row(&table, line, sizeof(line), WIDTH, row);
+        (void)ocel_colour_table_row(&table, line, sizeof(line), WIDTH - 1, row);
+        (void)ocel_colour_row(&colour, line, sizeof(line), WIDTH - 1, row);
+    }
+}
+
+/* YUYV of which every pixel passes the bounds of the bytes and is denied by its hue, the
+ * last that is asked; of all formats and ranges, a search found none that takes longer. */
+static void denied_lines(void) {
+    static const ocel_colour_range_t range = {OCEL_SPACE_HSV, {50, 26, 5}, {119, 255, 214}};
+    static const uint8_t denied[4] = {55U, 25U, 57U, 81U};
+
+    (void)ocel_colour_compile(&colour, &range, OCEL_FORMAT_YUYV, NULL);
+    for (size_t i = 0U; i < (size_t)WIDTH / 2U; i++) {
+        memcpy(&line[4U * i], denied, sizeof(denied));
+    }
+    for (uint16_t width = WIDTH; width > (WIDTH - 18); width = (uint16_t)(width - 2U)) {
+        (void)ocel_colour_row(&colour, line, sizeof(line), width, row);
+    }
 }
 
 static void teach_lines(rng_t *rng, ocel_space_t space, ocel_format_t format) {
@@ -93,6 +132,7 @@ static void teach_lines(rng_t *rng, ocel_space_t space, ocel_format_t format) {
 void worst_colours(void) {
     rng_t rng = rng_seed(77U);
 
+    denied_lines();
     for (int32_t format = 0; format < FORMATS; format++) {
         for (size_t i = 0U; i < sizeof(ranges) / sizeof(ranges[0]); i++) {
             (void)ocel_colour_compile(&colour, &ranges[i], (ocel_format_t)format, &table);
@@ -101,7 +141,7 @@ void worst_colours(void) {
             } else if (i < 3U) {
                 test_lines(&rng);
                 table_lines(&rng);
-                table_after_vain();
+                table_groups();
             } else {
                 /* Another table is looked up as fast. */
             }
