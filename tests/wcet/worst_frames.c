@@ -98,7 +98,7 @@ static bool is_fingers(int32_t x, int32_t y) {
  * is one chain, as long as the cells allow that the row itself takes.  So they run out just
  * before the stem, whose component is lost then, and all of the chain is given back. */
 
-enum { RUNS = WIDTH / 2, STEM = WIDTH - 2, TOOTH_ROWS = 5 };
+enum { RUNS = WIDTH / 2, STEM = WIDTH - 2, TOOTH_ROWS = 7 };
 
 /* The comb over the row `foot`, in which only its stem is left; with this and the rows above
  * it has `cells` cells. */
