@@ -6,7 +6,6 @@
 
 #include <ocellus/ocellus.h>
 
-#include "scene.h"
 #include "worst.h"
 
 enum { WIDTH = OCEL_MAX_WIDTH, HEIGHT = OCEL_MAX_HEIGHT, ROW_WORDS = OCEL_ROW_WORDS };
@@ -254,26 +253,17 @@ static void look_through_lens(void) {
     (void)ocel_eye_cone(&eye, &camera, &detection, &cone);
 }
 
-static void scene(scene_kind_t kind) {
-    const scene_t drawn = {kind, WIDTH, HEIGHT, 71U};
-    for (int32_t y = 0; y < HEIGHT; y++) {
-        scene_row(&drawn, y, rows[y]);
-    }
-}
-
-static void take(bool painted) {
+static void take(void) {
     label(OCEL_CONNECT_8, HEIGHT, 1);
     label(OCEL_CONNECT_4, HEIGHT, 1);
     label(OCEL_CONNECT_8, 0, 1);
     label(OCEL_CONNECT_8, 0, 2);
     label(OCEL_CONNECT_8, 1, 2);
     label(OCEL_CONNECT_4, 1, 2);
-    if (painted) {
-        paint();
-        look(OCEL_CONNECT_8);
-        look_on();
-        look(OCEL_CONNECT_4);
-    }
+    paint();
+    look(OCEL_CONNECT_8);
+    look_on();
+    look(OCEL_CONNECT_4);
 }
 
 void worst_frames(void) {
@@ -282,15 +272,9 @@ void worst_frames(void) {
     (void)ocel_colour_compile(&colour, &range, OCEL_FORMAT_YUYV, NULL);
     for (size_t i = 0U; i < sizeof(masks) / sizeof(masks[0]); i++) {
         draw(masks[i]);
-        take(true);
+        take();
         if (masks[i] == is_fingers) {
             look_through_lens();
         }
     }
-    scene(SCENE_SALT);
-    take(true);
-    scene(SCENE_RANDOM);
-    take(true);
-    scene(SCENE_SPIRAL);
-    take(true);
 }
