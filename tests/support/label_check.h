@@ -152,7 +152,7 @@ static inline void assert_nothing_lost(void) {
     TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(stats.runs, stats.unions, where);
     TEST_ASSERT_EQUAL_MESSAGE(labeller.first_run, labeller.last_run, where);
     TEST_ASSERT_EQUAL_MESSAGE(stats.labels_max,
-                              list_length(labeller.parent, labeller.free_label, no_label), where);
+                              list_length(labeller.live, labeller.free_label, no_label), where);
     TEST_ASSERT_EQUAL_MESSAGE(labeller.ledger.fresh,
                               chain_length(labeller.ledger.free) + chain_length(labeller.best_head),
                               where);

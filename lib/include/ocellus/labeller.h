@@ -137,9 +137,10 @@ typedef struct {
     ocel_rows_t repeats;   /* rows swept last that were as the one above and are not in the sums */
     ocel_bit_row_t rows[3];
     ocel_run_t frontier[OCEL_FRONTIER_RUNS];
-    uint16_t parent[OCEL_MAX_LABELS + 1]; /* union-find: itself when a root */
-    uint16_t live[OCEL_MAX_LABELS]; /* root: its runs in the frontier, and a flag (frontier.h);
-                                     * merged away or free: the next such label */
+    uint16_t root[OCEL_MAX_LABELS + 1]; /* of a label's component; that of none: none */
+    uint16_t peer[OCEL_MAX_LABELS];     /* the labels merged in this row, a ring for each root */
+    uint16_t live[OCEL_MAX_LABELS];     /* root: its runs in the frontier, and a flag (frontier.h);
+                                         * merged away or free: the next such label */
     ocel_component_t component[OCEL_MAX_LABELS];
 } ocel_labeller_t;
 

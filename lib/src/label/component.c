@@ -4,28 +4,49 @@
  */
 #include "component.h"
 
-void ocel_component_add(ocel_component_t *component, const ocel_row_sums_t *sums, uint32_t left,
-                        uint32_t end, const ocel_rows_t *rows) {
-    const ocel_moment_t n = sums->first;
-    const ocel_moment_t sum_x = (sums->second - n) >> 1U;
-    const ocel_moment_t sum_xx = (sums->third - sums->second - sum_x) * OCEL_INVERSE_OF_3;
+static inline ocel_moment_t sum_of_x(const ocel_row_sums_t *sums) {
+    return (sums->second - sums->first) >> 1U;
+}
 
-    component->area += (uint32_t)(n * rows->count);
-    component->sum_x += sum_x * rows->count;
+static inline ocel_moment_t sum_of_xx(const ocel_row_sums_t *sums, ocel_moment_t sum_x) {
+    return (sums->third - sums->second - sum_x) * OCEL_INVERSE_OF_3;
+}
+
+void ocel_component_add(ocel_component_t *component, const ocel_row_sums_t *sums, uint32_t left,
+                        uint32_t end, uint32_t y) {
+    const ocel_moment_t sum_x = sum_of_x(sums);
+    const ocel_moment_t n_y = (ocel_moment_t)sums->first * y;
+
+    component->sum_x += sum_x;
+    component->sum_xx += sum_of_xx(sums, sum_x);
+    component->sum_xy += sum_x * y;
+    component->sum_y += n_y;
+    component->sum_yy += n_y * y;
+    component->area += sums->first;
     if (component->left > left) {
         component->left = (uint16_t)left;
     }
-    component->sum_xx += sum_xx * rows->count;
-    component->sum_xy += sum_x * rows->sum_y;
     if (component->end < end) {
         component->end = (uint16_t)end;
     }
-    component->sum_y += n * rows->sum_y;
-    component->sum_yy += n * rows->sum_yy;
+}
+
+void ocel_component_repeat(ocel_component_t *component, uint32_t start, uint32_t end,
+                           const ocel_rows_t *rows) {
+    ocel_row_sums_t sums = {0U, 0U, 0U};
+    ocel_moment_t sum_x;
+
+    ocel_row_sums_add(&sums, start, end);
+    sum_x = sum_of_x(&sums);
+    component->sum_x += sum_x * rows->count;
+    component->sum_xx += sum_of_xx(&sums, sum_x) * rows->count;
+    component->sum_xy += sum_x * rows->sum_y;
+    component->sum_y += sums.first * rows->sum_y;
+    component->sum_yy += sums.first * rows->sum_yy;
+    component->area += (uint32_t)(sums.first * rows->count);
 }
 
 void ocel_component_start(ocel_component_t *component, uint32_t start, uint32_t end, uint32_t y) {
-    const ocel_rows_t rows = {1U, y, (ocel_moment_t)y * y};
     ocel_row_sums_t sums = {0U, 0U, 0U};
 
     component->sum_x = 0U;
@@ -38,7 +59,7 @@ void ocel_component_start(ocel_component_t *component, uint32_t start, uint32_t 
     component->left = (uint16_t)start;
     component->end = 0U;
     ocel_row_sums_add(&sums, start, end);
-    ocel_component_add(component, &sums, start, end, &rows);
+    ocel_component_add(component, &sums, start, end, y);
 }
 
 void ocel_component_merge(ocel_component_t *whole, const ocel_component_t *part) {

@@ -54,15 +54,19 @@ static inline void ocel_rows_add(ocel_rows_t *rows, uint32_t y) {
     rows->sum_yy += row * row;
 }
 
-/* Adds runs that are the same in some rows, in the columns from left to end - 1, to
- * a component.
+/* Adds runs of row y, in the columns from left to end - 1, to a component.
  *
  * The sum of x below t is t (t - 1) / 2 and that of x^2 is t (t - 1) (2 t - 1) / 6,
  * so a row's are (second - first) / 2 and (2 third - 3 second + first) / 6, both
  * exact: 2 by a shift, 3 by its inverse modulo the word, exact as nothing
  * remains. */
 void ocel_component_add(ocel_component_t *component, const ocel_row_sums_t *sums, uint32_t left,
-                        uint32_t end, const ocel_rows_t *rows);
+                        uint32_t end, uint32_t y);
+
+/* Adds the run [start, end) in several rows to a component that has it in the row above
+ * them. */
+void ocel_component_repeat(ocel_component_t *component, uint32_t start, uint32_t end,
+                           const ocel_rows_t *rows);
 
 /* Makes the component of one run of row y. */
 void ocel_component_start(ocel_component_t *component, uint32_t start, uint32_t end, uint32_t y);

@@ -13,6 +13,7 @@
 /* There is at most one free cell, which is the pair's head then. */
 ocel_crack_pair_t ocel_crack_take_pair_slowly(ocel_crack_pool_t *pool,
                                               ocel_crack_ledger_t *ledger) {
+    /* at most: 1; OCEL_MAX_CRACKS + 3 * OCEL_MAX_RUNS as cells in a call of ocel_sweep_row */
     const uint32_t fresh = ledger->fresh;
     const uint32_t wanted = (ledger->free != OCEL_NO_CELL) ? 1U : 2U;
     ocel_crack_pair_t pair = {OCEL_NO_CELL, OCEL_NO_CELL};
@@ -21,6 +22,8 @@ ocel_crack_pair_t ocel_crack_take_pair_slowly(ocel_crack_pool_t *pool,
         pair.head = (wanted == 1U) ? (uint32_t)ledger->free : fresh;
         pair.tail = fresh + (wanted - 1U);
         ledger->free = OCEL_NO_CELL;
+        /* at most: 1; OCEL_MAX_CRACKS + 3 * OCEL_MAX_RUNS as cells in a call of ocel_sweep_row;
+         * OCEL_MAX_CRACKS in a call of ocel_eye_frame */
         ledger->fresh = (uint16_t)(fresh + wanted);
         ocel_crack_set_link(pool, pair.head, pair.tail);
         ocel_crack_set_link(pool, pair.tail, OCEL_NO_CELL);
@@ -33,10 +36,12 @@ void ocel_crack_give_from(ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger, 
         uint32_t tail = head;
         uint32_t link = ocel_crack_link(pool, head);
 
-        /* bound: OCEL_MAX_CRACKS; OCEL_MAX_CRACKS + 4 * OCEL_MAX_RUNS in a call of
-         * ocel_sweep_row or ocel_sweep_repeat; OCEL_MAX_CRACKS + 8 * OCEL_MAX_RUNS in a
-         * call of ocel_label_row; OCEL_MAX_CRACKS + 6 * OCEL_MAX_RUNS in a call of
-         * ocel_label_end; 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS in a call of ocel_eye_frame */
+        /* bound: OCEL_MAX_CRACKS; OCEL_MAX_CRACKS + OCEL_MAX_RUNS in a call of
+         * ocel_sweep_row or ocel_sweep_repeat;
+         * OCEL_MAX_CRACKS + 3 * OCEL_MAX_RUNS as cells in a call of ocel_sweep_row;
+         * OCEL_MAX_CRACKS + 8 * OCEL_MAX_RUNS in a call of ocel_label_row;
+         * OCEL_MAX_CRACKS + 6 * OCEL_MAX_RUNS in a call of ocel_label_end;
+         * 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS in a call of ocel_eye_frame */
         while (link != OCEL_NO_CELL) {
             tail = link;
             link = ocel_crack_link(pool, link);

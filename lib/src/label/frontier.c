@@ -9,29 +9,15 @@
 #include "component.h"
 #include "crack.h"
 
-/* ---- Labels: union-find ---- */
+/* ---- Labels: sets of those that have met in this row ---- */
 
-/* Rounds in which a root is found, two steps each.  As the smaller area goes under the
- * larger one, each step at least doubles the area: at most log2 of the pixels of a frame,
- * and in 2^12 by 2^12 there are 2^24. */
-#if ((OCEL_MAX_WIDTH * OCEL_MAX_HEIGHT) < 0x20000)
-#define FIND_ROUNDS 8
+/* Labels given a new root in a row.  The smaller set goes to the larger one, so a label's
+ * set doubles each time: OCEL_MAX_LABELS / 2 * log2(OCEL_MAX_LABELS) in all. */
+#if OCEL_MAX_LABELS <= 256
+#define MOVES (4 * OCEL_MAX_LABELS)
 #else
-#define FIND_ROUNDS 12
+#define MOVES (6 * OCEL_MAX_LABELS)
 #endif
-
-/* The root of a label, halving the way to it (Tarjan and van Leeuwen, "Worst-case
- * analysis of set union algorithms", 1984).  Merged labels are resolved at the
- * end of each row, so there is a way only within a row. */
-static uint32_t find_root(ocel_labeller_t *lab, uint32_t label) {
-    uint32_t at = label;
-
-    while (lab->parent[at] != at) { /* bound: FIND_ROUNDS */
-        lab->parent[at] = lab->parent[lab->parent[at]];
-        at = lab->parent[at];
-    }
-    return at;
-}
 
 /* A new label with one run; labeller.h proves that there is one. */
 static inline uint32_t take_label(ocel_labeller_t *lab) {
@@ -43,7 +29,8 @@ static inline uint32_t take_label(ocel_labeller_t *lab) {
         label = lab->stats.labels_max;
         lab->stats.labels_max++;
     }
-    lab->parent[label] = (uint16_t)label;
+    lab->root[label] = (uint16_t)label;
+    lab->peer[label] = (uint16_t)label;
     lab->live[label] = 1U;
     return label;
 }
@@ -53,32 +40,56 @@ static inline void give_label(ocel_labeller_t *lab, uint32_t label) {
     lab->free_label = (uint16_t)label;
 }
 
+/* Labels in the set of a root.  Of two or more the first behind the root has no sums of
+ * its own any more: where its area was is their number. */
+static inline uint32_t set_size(const ocel_labeller_t *lab, uint32_t root) {
+    const uint32_t first = lab->peer[root];
+
+    return (first == root) ? 1U : lab->component[first].area;
+}
+
+/* Gives the labels of the set of `part` the other root, and its ring to that one's. */
+static inline void move_set(ocel_labeller_t *lab, uint32_t root, uint32_t part) {
+    uint32_t label = part;
+    uint32_t last;
+
+    do { /* bound: OCEL_MAX_LABELS; MOVES in a call of ocel_sweep_row */
+        lab->root[label] = (uint16_t)root;
+        last = label;
+        label = lab->peer[label];
+    } while (label != part);
+    lab->peer[last] = lab->peer[root];
+    lab->peer[root] = (uint16_t)part;
+}
+
 uint32_t ocel_frontier_unite(ocel_labeller_t *lab, uint32_t a, uint32_t b) {
     const uint32_t live_a = lab->live[a] & ~OCEL_LOST;
     const uint32_t live_b = lab->live[b] & ~OCEL_LOST;
     const uint32_t lost = (lab->live[a] | lab->live[b]) & OCEL_LOST;
-    const bool a_is_root = lab->component[a].area >= lab->component[b].area;
-    const uint32_t root = a_is_root ? a : b;
-    const uint32_t part = a_is_root ? b : a;
+    const uint32_t size_a = set_size(lab, a);
+    const uint32_t size_b = set_size(lab, b);
+    const uint32_t root = (size_a >= size_b) ? a : b;
+    const uint32_t part = (size_a >= size_b) ? b : a;
 
     ocel_component_merge(&lab->component[root], &lab->component[part]);
+    move_set(lab, root, part);
+    lab->component[part].area = size_a + size_b;
     lab->live[root] = (uint16_t)((live_a + live_b) | lost);
-    lab->parent[part] = (uint16_t)root;
     lab->live[part] = lab->merged_label;
     lab->merged_label = (uint16_t)part;
     lab->stats.unions++;
     return root;
 }
 
-/* Newest first: what a label went under was merged later, so it has been resolved, or
- * is a root. */
 void ocel_frontier_release(ocel_labeller_t *lab) {
     const uint32_t newest = lab->merged_label;
     uint32_t label = newest;
     uint32_t oldest = OCEL_NO_LABEL;
 
     while (label != OCEL_NO_LABEL) { /* bound: OCEL_MAX_LABELS */
-        lab->parent[label] = lab->parent[lab->parent[label]];
+        const uint32_t root = lab->root[label];
+
+        lab->peer[root] = (uint16_t)root;
         oldest = label;
         label = lab->live[label];
     }
@@ -105,45 +116,30 @@ void ocel_frontier_set(ocel_labeller_t *lab, const ocel_run_t *first, ocel_run_t
 void ocel_frontier_lose(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t root,
                         uint32_t chain) {
     lab->live[root] |= OCEL_LOST;
+    /* at most: 1; OCEL_MAX_RUNS as losses in a call of ocel_sweep_row */
     ocel_crack_give_from(pool, &lab->ledger, chain);
 }
 
-/* A newborn run of the row above gets what a component has: a label, its sums
- * and its edges; lost at once when there are no cells. */
-static uint32_t settle_newborn(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run) {
+uint32_t ocel_frontier_settle(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run) {
     const uint32_t end = (uint32_t)run->end - lab->reach;
     const uint32_t root = take_label(lab);
-    const ocel_crack_pair_t pair =
-        ocel_frontier_take_edges(lab, pool, root, run->start, end, OCEL_NO_CELL);
+    const ocel_crack_pair_t pair = ocel_frontier_take_edges(lab, pool, run->start, end);
 
-    /* at most: 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row */
+    if (pair.head == OCEL_NO_CELL) {
+        /* at most: 1; OCEL_MAX_RUNS as losses in a call of ocel_sweep_row */
+        lab->live[root] |= OCEL_LOST;
+    }
+
+    /* at most: 1; OCEL_MAX_RUNS as olds in a call of ocel_sweep_row;
+     * 3 * OCEL_MAX_RUNS as born in a call of ocel_label_row;
+     * 2 * OCEL_MAX_RUNS as born in a call of ocel_label_end;
+     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as runs in a call of ocel_eye_frame;
+     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame;
+     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as sums in a call of ocel_eye_frame */
     run->label = (uint16_t)root;
     run->head = (uint16_t)pair.head;
     run->tail = (uint16_t)pair.tail;
     ocel_component_start(&lab->component[root], run->start, end, (uint32_t)lab->swept - 1U);
-    return root;
-}
-
-uint32_t ocel_frontier_settle(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run) {
-    uint32_t root;
-
-    if (run->label == OCEL_NEWBORN) {
-        /* at most: OCEL_MAX_RUNS in a call of ocel_sweep_row;
-         * 2 * OCEL_MAX_RUNS as places in a call of ocel_sweep_row;
-         * 2 * OCEL_MAX_RUNS as places in a call of ocel_label_end;
-         * 2 * OCEL_MAX_RUNS as lives in a call of ocel_sweep_row;
-         * 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row;
-         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as runs in a call of ocel_eye_frame;
-         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame;
-         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as sums in a call of ocel_eye_frame;
-         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as parents in a call of ocel_eye_frame */
-        root = settle_newborn(lab, pool, run);
-    } else {
-        /* at most: OCEL_MAX_RUNS as merges in a call of ocel_sweep_row;
-         * OCEL_MAX_RUNS as merges in a call of ocel_label_end;
-         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as parents in a call of ocel_eye_frame */
-        root = find_root(lab, run->label);
-    }
     return root;
 }
 
@@ -215,7 +211,7 @@ ocel_run_t *ocel_frontier_end(ocel_labeller_t *lab, ocel_crack_pool_t *pool, oce
 
     /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS as parents in a call of ocel_sweep_row;
      * OCEL_MAX_RUNS as columns in a call of ocel_sweep_row;
-     * 2 * OCEL_MAX_RUNS as lives in a call of ocel_sweep_row */
+     * OCEL_MAX_RUNS as heirs in a call of ocel_sweep_row */
     while (at->end <= start) {
         if (is_noise(lab, at, ended)) {
             lab->stats.components++;

@@ -22,20 +22,19 @@
  *   columns  Runs above that end and runs with a parent: n.  Of each choose a column: of
  *            the one any; of the other one in which its parent is above it, or, where
  *            corners touch, any.  No two of these are neighbours.
- *   places   Rows that repeated one are added for the runs above that are not newborn, and
- *            only a newborn one is settled: n.  A run with h filled holes takes 2 h + 2
- *            columns, so runs and holes of the row: n.
- *   lives    Sums are added for runs above that are not newborn, at most one each, and for
- *            runs of the row with a parent.  With places and columns, these sums, runs
- *            above that are settled and those that end: 2 n.
- *   joins    Sums of the row begin at a run's first parent, or where a run absorbs a parent
- *            with more pixels than the component had.  Settled runs twice, what is absorbed
- *            and all sums: at most 3 for a run above and the column behind it, or 4 when it
- *            is newborn and larger than what absorbs it, and then it takes 3 columns; so
- *            3/2 a column, 3 n + 1.
- *   merges   The first run above of a label that is come upon is of that label still.  So
- *            runs whose root is searched for and unions: n, as unions need one run each
- *            that is the first.
+ *   heirs    Sums of the row, one at most for a run with a parent, and runs above that
+ *            end: n.
+ *   places   A run with h filled holes takes 2 h + 2 columns, so runs and holes: n.
+ *   olds     A repeated row has no newborn run, so runs above that are added for it and
+ *            runs above that are settled: n.
+ *   joins    Sums begin at a run's first parent, or where a run without one of its own
+ *            comes to a larger set of labels.  Such a set has met before, so its first
+ *            parents are others: sums and what is absorbed are n + n / 2.
+ *   losses   A component is lost once, and a chain that is given back is of a run above:
+ *            n.
+ *   cells    Cells of chains that are walked, but for one a walk that is new, and cells
+ *            taken that were never used are different ones.  With a cell too few for n
+ *            times and none for n: OCEL_MAX_CRACKS + 3 n.
  *
  * In a frame of h rows, repeated ones among them:
  *
@@ -43,7 +42,6 @@
  *            that are repeated: h n.  places, sums: h n by the same division.
  *   labels   A union or an end ends a label, and each began with a newborn run, so they
  *            and runs with a parent: h n.
- *   parents  Each run is searched for, or settled, once: h n.
  *   rows     Rows are swept over, or repeat one and are added later: h. */
 
 /* No label: ends the lists of free and of merged labels. */
@@ -82,42 +80,50 @@ void ocel_frontier_set(ocel_labeller_t *lab, const ocel_run_t *first, ocel_run_t
 void ocel_frontier_lose(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t root,
                         uint32_t chain);
 
-/* Takes the cells of the edges of a run [start, end) and links the left one to the
- * cell `after`, or to the right one when that is OCEL_NO_CELL.  If the component
- * is lost, or is now for want of cells, both are OCEL_NO_CELL and the chain from
- * `after` is given back. */
+/* A chain of the edges of a run [start, end), from the left one to the right one; without
+ * a cell when there are none left. */
 static inline ocel_crack_pair_t ocel_frontier_take_edges(ocel_labeller_t *lab,
-                                                         ocel_crack_pool_t *pool, uint32_t root,
-                                                         uint32_t start, uint32_t end,
-                                                         uint32_t after) {
-    ocel_crack_pair_t pair = {OCEL_NO_CELL, OCEL_NO_CELL};
+                                                         ocel_crack_pool_t *pool, uint32_t start,
+                                                         uint32_t end) {
+    const ocel_crack_pair_t pair = ocel_crack_take_pair(pool, &lab->ledger);
 
-    if (lab->live[root] < OCEL_LOST) {
-        pair = ocel_crack_take_pair(pool, &lab->ledger);
-    }
     if (pair.head != OCEL_NO_CELL) {
         ocel_crack_set_left(pool, pair.head, start);
         ocel_crack_set_right(pool, pair.tail, end);
-        if (after != OCEL_NO_CELL) {
-            ocel_crack_set_link(pool, pair.head, after);
-        }
+    }
+    return pair;
+}
+
+/* The edges of a run [start, end) of a component that goes on: the left one is linked to
+ * the cell `after`, which a component that is not lost always has.  If it is lost, or is
+ * now for want of cells, there are none and the chain from `after` is given back. */
+static inline ocel_crack_pair_t ocel_frontier_continue(ocel_labeller_t *lab,
+                                                       ocel_crack_pool_t *pool, uint32_t root,
+                                                       uint32_t start, uint32_t end,
+                                                       uint32_t after) {
+    ocel_crack_pair_t pair = {OCEL_NO_CELL, OCEL_NO_CELL};
+
+    if (lab->live[root] < OCEL_LOST) {
+        pair = ocel_frontier_take_edges(lab, pool, start, end);
+    }
+    if (pair.head != OCEL_NO_CELL) {
+        ocel_crack_set_link(pool, pair.head, after);
     } else {
         ocel_frontier_lose(lab, pool, root, after);
     }
     return pair;
 }
 
-/* The root of a run whose label may not be one: the run is newborn and now gets
- * what a component has, or its label has been merged away in this row. */
+/* A newborn run of the row above gets what a component has, a label, its sums and its
+ * edges; lost at once when there are no cells.  Returns the label. */
 uint32_t ocel_frontier_settle(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run);
 
-/* The root of a run, by the short way where there is one. */
+/* The root of a run. */
 static inline uint32_t ocel_frontier_root(ocel_labeller_t *lab, ocel_crack_pool_t *pool,
                                           ocel_run_t *run) {
-    const uint32_t label = run->label;
+    const uint32_t root = lab->root[run->label];
 
-    /* at most: OCEL_MAX_RUNS in a call of ocel_sweep_row */
-    return (lab->parent[label] == label) ? label : ocel_frontier_settle(lab, pool, run);
+    return (root != OCEL_NEWBORN) ? root : ocel_frontier_settle(lab, pool, run);
 }
 
 /* Merges two components, the one with fewer pixels into the other; lost if one

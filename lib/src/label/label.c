@@ -42,7 +42,7 @@ ocel_status_t ocel_label_begin(ocel_labeller_t *labeller, ocel_crack_pool_t *poo
         /* All that is single, and the rows: nothing yet. */
         (void)memset(labeller, 0, offsetof(ocel_labeller_t, frontier));
         ocel_frontier_set(labeller, labeller->frontier, labeller->frontier);
-        labeller->parent[OCEL_NEWBORN] = OCEL_NO_LABEL;
+        labeller->root[OCEL_NEWBORN] = OCEL_NEWBORN;
         labeller->free_label = OCEL_NO_LABEL;
         labeller->merged_label = OCEL_NO_LABEL;
         labeller->ledger.free = OCEL_NO_CELL;

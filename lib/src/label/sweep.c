@@ -50,6 +50,7 @@
 #include "component.h"
 #include "crack.h"
 #include "run.h"
+#include "sums.h"
 
 /* Words of a row whose runs are found in one go. */
 #define CHUNK_WORDS 4U
@@ -90,14 +91,14 @@ static inline void absorb_parent(ocel_labeller_t *lab, ocel_crack_pool_t *pool, 
     const bool is_hole = s->root == other;
 
     if (!is_hole) {
-        /* at most: OCEL_MAX_RUNS as merges in a call of ocel_sweep_row;
-         * OCEL_MAX_RUNS as merges in a call of ocel_label_end;
+        /* at most: OCEL_MAX_RUNS in a call of ocel_sweep_row or ocel_label_end;
          * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as labels in a call of ocel_eye_frame */
         s->root = ocel_frontier_unite(lab, s->root, other);
     }
     lab->live[s->root]--;
     if (lab->live[s->root] >= OCEL_LOST) {
         if (head != OCEL_NO_CELL) {
+            /* at most: OCEL_MAX_RUNS as losses in a call of ocel_sweep_row */
             ocel_crack_give_from(pool, &lab->ledger, head);
         }
     } else if (is_hole) {
@@ -118,16 +119,18 @@ static inline void continue_component(ocel_labeller_t *lab, ocel_crack_pool_t *p
     /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS as parents in a call of ocel_sweep_row;
      * OCEL_MAX_RUNS in a call of ocel_label_end */
     while ((touch_end > s->reach_end) && (s->parent->start < touch_end)) {
-        /* at most: 1; 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row */
+        /* at most: 1; OCEL_MAX_RUNS + OCEL_MAX_RUNS / 2 as joins in a call of ocel_sweep_row */
         absorb_parent(lab, pool, s);
     }
     if ((lab->live[s->root] < OCEL_LOST) || (after != OCEL_NO_CELL)) {
-        pair = ocel_frontier_take_edges(lab, pool, s->root, start, end, after);
+        pair = ocel_frontier_continue(lab, pool, s->root, start, end, after);
     }
     s->right = pair.tail;
     s->child->label = (uint16_t)s->root;
     /* at most: OCEL_MAX_RUNS as columns in a call of ocel_sweep_row;
      * OCEL_MAX_RUNS in a call of ocel_label_end;
+     * 3 * OCEL_MAX_RUNS as born in a call of ocel_label_row;
+     * 2 * OCEL_MAX_RUNS as born in a call of ocel_label_end;
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as runs in a call of ocel_eye_frame;
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as labels in a call of ocel_eye_frame */
     s->child->head = (uint16_t)pair.head;
@@ -192,11 +195,14 @@ static inline uint16_t *find_edges(const uint32_t *row, uint32_t first, uint32_t
     return at;
 }
 
-/* Takes the row's runs from left to right; returns how many. */
-static inline uint32_t sweep_words(ocel_labeller_t *lab, ocel_crack_pool_t *pool, sweep_t *s,
-                                   ocel_ended_t *ended) {
+/* Takes the row's runs from left to right; they become the frontier.  The state is this
+ * function's own, so that it stays in registers. */
+static void sweep_runs(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_ended_t *ended) {
     const ocel_bit_row_t *const row = &lab->rows[lab->above];
     const uint32_t words = (uint32_t)row->end + 1U; /* a run may end in the next one's bit 0 */
+    ocel_run_t *const first = ocel_frontier_after(lab, &lab->frontier[lab->last_run]);
+    sweep_t s = {
+        &lab->frontier[lab->first_run], first, 0U, 0U, OCEL_NO_CELL, OCEL_NO_CELL, lab->reach};
     uint16_t edge[(32U * CHUNK_WORDS) + 1U];
     uint32_t runs = 0U;
     uint32_t open = 0U; /* 1: edge[0] is the start of a run that has not ended yet */
@@ -211,115 +217,32 @@ static inline uint32_t sweep_words(ocel_labeller_t *lab, ocel_crack_pool_t *pool
         /* bound: OCEL_MAX_RUNS in all rounds of the outer loop; OCEL_MAX_RUNS in a call of
          * ocel_label_end */
         while (&at[1] < past) {
-            sweep_run(lab, pool, s, at[0], at[1], ended);
+            sweep_run(lab, pool, &s, at[0], at[1], ended);
             at = &at[2];
             runs++;
         }
         open = (at < past) ? 1U : 0U;
         edge[0] = at[0];
     }
-    return runs;
-}
-
-/* Column of the lowest bit, which is taken; there must be one. */
-static inline uint32_t take_column(uint32_t *bits, uint32_t base) {
-    const uint32_t column = base + ocel_ctz32(*bits);
-
-    *bits &= *bits - 1U;
-    return column;
-}
-
-/* The filled holes of a row, from left to right. */
-typedef struct {
-    const uint32_t *word;
-    uint32_t bits;   /* of the word: those not yet come upon */
-    uint32_t base;   /* the column of its bit 0 */
-    uint32_t column; /* of the hole in hand */
-} hole_scan_t;
-
-static inline void next_hole(hole_scan_t *scan) {
-    /* bound: OCEL_ROW_WORDS; OCEL_ROW_WORDS in a call of ocel_sweep_row */
-    while (scan->bits == 0U) {
-        scan->word++;
-        scan->bits = *scan->word;
-        scan->base += 32U;
-    }
-    scan->column = take_column(&scan->bits, scan->base);
-}
-
-/* Adds the frontier's runs in some rows to their components, less the holes that
- * were filled; labels that were merged away give way to their roots. */
-static void add_rows(ocel_labeller_t *lab, const uint32_t *holes, const ocel_rows_t *rows) {
-    const uint32_t reach = lab->reach;
-    hole_scan_t scan = {holes, 0U, 0U, OCEL_ROW_END};
-    ocel_run_t *run = &lab->frontier[lab->first_run];
-
-    if (holes != NULL) {
-        scan.base = 32U * lab->rows[lab->above].first;
-        scan.bits = holes[0];
-        next_hole(&scan);
-    }
-    while (run->label != OCEL_NO_LABEL) { /* bound: OCEL_MAX_RUNS */
-        const uint32_t label = run->label;
-
-        if (label == OCEL_NEWBORN) {
-            run = ocel_frontier_after(lab, run);
-        } else {
-            const uint32_t left = run->start;
-            const uint32_t root = lab->parent[label];
-            ocel_row_sums_t sums = {0U, 0U, 0U};
-            uint32_t end;
-
-            /* bound: OCEL_MAX_RUNS in all rounds of the outer loop;
-             * 2 * OCEL_MAX_RUNS as places in a call of ocel_sweep_row;
-             * 2 * OCEL_MAX_RUNS as places in a call of ocel_label_end;
-             * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame */
-            do {
-                end = (uint32_t)run->end - reach;
-                ocel_row_sums_add(&sums, run->start, end);
-                /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS in a call of ocel_sweep_row;
-                 * 2 * OCEL_MAX_RUNS as places in a call of ocel_sweep_row;
-                 * 2 * OCEL_MAX_RUNS as places in a call of ocel_label_end;
-                 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame */
-                while (scan.column < end) {
-                    ocel_row_sums_drop(&sums, scan.column);
-                    next_hole(&scan);
-                }
-                run->label = (uint16_t)root;
-                run = ocel_frontier_after(lab, run);
-            } while (run->label == label);
-            /* at most: 2 * OCEL_MAX_RUNS as lives in a call of ocel_sweep_row;
-             * 2 * OCEL_MAX_RUNS in a call of ocel_label_end;
-             * 3 * OCEL_MAX_RUNS + 1 as joins in a call of ocel_sweep_row;
-             * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as sums in a call of ocel_eye_frame */
-            ocel_component_add(&lab->component[root], &sums, left, end, rows);
-        }
-    }
-}
-
-void ocel_sweep_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32_t *holes,
-                    ocel_ended_t *ended) {
-    ocel_run_t *const first = ocel_frontier_after(lab, &lab->frontier[lab->last_run]);
-    sweep_t s = {
-        &lab->frontier[lab->first_run], first, 0U, 0U, OCEL_NO_CELL, OCEL_NO_CELL, lab->reach};
-    const ocel_rows_t none = {0U, 0U, 0U};
-    ocel_rows_t here = none;
-
-    if (lab->repeats.count != 0U) {
-        /* at most: 1; OCEL_MAX_HEIGHT as rows in a call of ocel_eye_frame */
-        add_rows(lab, NULL, &lab->repeats);
-        lab->repeats = none;
-    }
-    lab->runs = (uint16_t)sweep_words(lab, pool, &s, ended);
     link_right(pool, &s);
     if (s.parent->end != OCEL_ROW_END) {
         (void)ocel_frontier_end(lab, pool, s.parent, OCEL_ROW_END - 1U, ended);
     }
     ocel_frontier_set(lab, first, s.child);
-    lab->stats.runs += lab->runs;
-    ocel_rows_add(&here, lab->swept);
+    lab->runs = (uint16_t)runs;
+}
+
+void ocel_sweep_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32_t *holes,
+                    ocel_ended_t *ended) {
+    if (lab->repeats.count != 0U) {
+        /* at most: 1; 1 in a call of ocel_label_row or ocel_label_end;
+         * OCEL_MAX_HEIGHT as rows in a call of ocel_eye_frame */
+        ocel_sums_add_repeats(lab);
+    }
+    sweep_runs(lab, pool, ended);
     ocel_frontier_release(lab);
-    add_rows(lab, holes, &here);
+    ocel_sums_add_row(lab, holes);
+    lab->stats.runs += lab->runs;
     lab->swept++;
     lab->repeats_lost = 0U;
 }
@@ -337,7 +260,7 @@ static bool repeat_runs(ocel_labeller_t *lab, ocel_crack_pool_t *pool) {
         const uint32_t root = ocel_frontier_root(lab, pool, run);
 
         if ((lab->live[root] < OCEL_LOST) || (run->head != OCEL_NO_CELL)) {
-            const ocel_crack_pair_t pair = ocel_frontier_take_edges(
+            const ocel_crack_pair_t pair = ocel_frontier_continue(
                 lab, pool, root, run->start, (uint32_t)run->end - lab->reach, run->head);
 
             if (pair.tail != OCEL_NO_CELL) {
