@@ -79,9 +79,9 @@ static inline ocel_pair_t ocel_source_px_q16(const ocel_source_t *source, size_t
  * each axis scaled by a power of two to a mean fourth power of at most 1.
  * Maini's box would cost a second pass and, the fits being affine invariant,
  * change nothing.
- * False, and nothing usable, when the sums might not fit: the squared offsets
- * from the point midway between the first and the middle crack sum to 2^31
- * half pixels squared or more (discs of R > 512 px). */
+ * At least one crack.  False, and nothing usable, when the sums might not fit: the
+ * squared offsets from the point midway between the first and the middle crack sum to
+ * 2^31 half pixels squared or more (discs of R > 512 px). */
 bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_moments_t *moments,
                             ocel_frame_t *frame);
 

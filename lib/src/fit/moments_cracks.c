@@ -4,42 +4,29 @@
  */
 #include "../base/int_math.h"
 #include "../base/scale.h"
-#include "../base/word.h"
 #include "moments.h"
 
 /* Sums of squares below 2^31 make every square so, and every quartic sum at most
  * their product, 2^62.  A disc of radius R sums to 16 R^3: R < 512 px. */
 #define SQUARES_MAX ((int64_t)2147483648)
 
-/* Powers of x and of y in each moment, in the order of OCEL_M_*. */
-static const uint8_t power_x[OCEL_M_COUNT] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0, 4, 3, 2, 1, 0};
-static const uint8_t power_y[OCEL_M_COUNT] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3, 0, 1, 2, 3, 4};
-
-/* v as 32 bits, so that a 32-bit core multiplies in one instruction; exact for
- * |v| < 2^31, and a sum with another v is refused. */
-static inline int64_t low_word(int64_t v) {
-    return (int32_t)v;
+/* The product's low 32 bits: exact where |a * b| < 2^31. */
+static inline int32_t times(int32_t a, int32_t b) {
+    return (int32_t)((uint32_t)a * (uint32_t)b);
 }
 
-/* An offset as it is subtracted: in a machine word, or the other kind of machine takes
- * two instructions more for each. */
-#if OCEL_WORD_BITS == 64
-typedef int64_t offset_t;
-#else
-typedef int32_t offset_t;
-#endif
-
-/* Sums of u^i v^j, u and v the offsets from (x0, y0), |.| < 2^16: |sums| of the first
- * order are below 2^30.  The products are below 2^62; the sums are taken modulo 2^64,
- * so nothing overflows here, and the caller asks the second-order ones, which are
- * exact, whether the others are.  (Of factors that are seen to be 32 bits a 32-bit
- * core makes a product and its sum in one instruction.) */
-static void sum_cracks(const ocel_crack_t *cracks, size_t count, offset_t x0, offset_t y0,
+/* Sums of u^i v^j, u and v the offsets from (x0, y0), |.| < 2^16: sums of the first
+ * order are below 2^30; squares below 2^32 and their sums, which are exact, below 2^46.
+ * Where those are below SQUARES_MAX, so is every square and the sum of u v, and the
+ * other products are below 2^62; where not, the caller refuses the rest, which is taken
+ * modulo 2^32 and 2^64, so nothing overflows.  (Of factors that are seen to be 32 bits a
+ * 32-bit core makes a product and its sum in one instruction.) */
+static void sum_cracks(const ocel_crack_t *cracks, size_t count, int32_t x0, int32_t y0,
                        int64_t *sum) {
-    offset_t s_x = 0;
-    offset_t s_y = 0;
+    int32_t s_x = 0;
+    int32_t s_y = 0;
+    uint32_t s_xy = 0U;
     uint64_t s_xx = 0U;
-    uint64_t s_xy = 0U;
     uint64_t s_yy = 0U;
     uint64_t s_xxx = 0U;
     uint64_t s_xxy = 0U;
@@ -50,39 +37,38 @@ static void sum_cracks(const ocel_crack_t *cracks, size_t count, offset_t x0, of
     uint64_t s_xxyy = 0U;
     uint64_t s_xyyy = 0U;
     uint64_t s_yyyy = 0U;
-    size_t i;
+    size_t i = 0U;
 
     /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_end or
      * ocel_eye_refit */
-    for (i = 0U; i < count; i++) {
-        const int64_t x = low_word((offset_t)cracks[i].x_hpx - x0);
-        const int64_t y = low_word((offset_t)cracks[i].y_hpx - y0);
-        const int64_t xx = x * x;
-        const int64_t yy = y * y;
-        const int64_t xx_32 = low_word(xx);
-        const int64_t xy_32 = low_word(x * y);
-        const int64_t yy_32 = low_word(yy);
+    do {
+        const int32_t x = cracks[i].x_hpx - x0;
+        const int32_t y = cracks[i].y_hpx - y0;
+        const int32_t xx = times(x, x);
+        const int32_t xy = times(x, y);
+        const int32_t yy = times(y, y);
 
-        s_x += (offset_t)x;
-        s_y += (offset_t)y;
-        s_xx += (uint64_t)xx;
-        s_xy += (uint64_t)(x * y);
-        s_yy += (uint64_t)yy;
-        s_xxx += (uint64_t)(xx_32 * x);
-        s_xxy += (uint64_t)(xx_32 * y);
-        s_xyy += (uint64_t)(yy_32 * x);
-        s_yyy += (uint64_t)(yy_32 * y);
-        s_xxxx += (uint64_t)(xx_32 * xx_32);
-        s_xxxy += (uint64_t)(xx_32 * xy_32);
-        s_xxyy += (uint64_t)(xx_32 * yy_32);
-        s_xyyy += (uint64_t)(xy_32 * yy_32);
-        s_yyyy += (uint64_t)(yy_32 * yy_32);
-    }
+        s_x += x;
+        s_y += y;
+        s_xy += (uint32_t)xy;
+        s_xx += (uint32_t)xx;
+        s_yy += (uint32_t)yy;
+        s_xxx += (uint64_t)((int64_t)xx * x);
+        s_xxy += (uint64_t)((int64_t)xx * y);
+        s_xyy += (uint64_t)((int64_t)yy * x);
+        s_yyy += (uint64_t)((int64_t)yy * y);
+        s_xxxx += (uint64_t)((int64_t)xx * xx);
+        s_xxxy += (uint64_t)((int64_t)xx * xy);
+        s_xxyy += (uint64_t)((int64_t)xx * yy);
+        s_xyyy += (uint64_t)((int64_t)xy * yy);
+        s_yyyy += (uint64_t)((int64_t)yy * yy);
+        i++;
+    } while (i < count);
     sum[OCEL_M_1] = (int64_t)count;
     sum[OCEL_M_X] = s_x;
     sum[OCEL_M_Y] = s_y;
     sum[OCEL_M_XX] = (int64_t)s_xx;
-    sum[OCEL_M_XY] = (int64_t)s_xy;
+    sum[OCEL_M_XY] = (int32_t)s_xy;
     sum[OCEL_M_YY] = (int64_t)s_yy;
     sum[OCEL_M_XXX] = (int64_t)s_xxx;
     sum[OCEL_M_XXY] = (int64_t)s_xxy;
@@ -100,16 +86,16 @@ static void frame_of_powers(ocel_frame_t *frame, uint32_t ex, uint32_t ey) {
     const uint32_t larger = (ex > ey) ? ex : ey;
 
     frame->scale_log2 = (int32_t)larger + 1; /* so that G is at most 1/2 */
-    frame->g11_q60 = ocel_shl64(1, 59U - (larger - ex));
+    frame->g11_q60 = ocel_scale_q60(1, 59 - (int32_t)(larger - ex));
     frame->g21_q60 = 0;
-    frame->g22_q60 = ocel_shl64(1, 59U - (larger - ey));
+    frame->g22_q60 = ocel_scale_q60(1, 59 - (int32_t)(larger - ey));
 }
 
 /* The scale exponent of one axis: the least e with sum_4 <= 2^(4 e + en), so
  * that the mean fourth power is at most 1 and with it, by Hoelder's inequality,
  * every mixed moment. */
-static uint32_t exponent(uint64_t sum_4, uint32_t en) {
-    const uint32_t bits = 64U - ocel_clz64(sum_4);
+static uint32_t exponent(int64_t sum_4, uint32_t en) {
+    const uint32_t bits = ocel_ceil_log2((uint64_t)sum_4 + 1U);
 
     return (bits > en) ? (((bits - en) + 3U) / 4U) : 0U;
 }
@@ -120,21 +106,26 @@ bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_momen
     const ocel_crack_t *const middle = &cracks[count / 2U];
     const int32_t x0 = ocel_asr32((int32_t)first->x_hpx + middle->x_hpx, 1U);
     const int32_t y0 = ocel_asr32((int32_t)first->y_hpx + middle->y_hpx, 1U);
-    const uint32_t en = ocel_ceil_log2(count);
     int64_t *const sum = moments->m_q60;
     bool exact;
 
     sum_cracks(cracks, count, x0, y0, sum);
     exact = (sum[OCEL_M_XX] < SQUARES_MAX) && (sum[OCEL_M_YY] < SQUARES_MAX);
     if (exact) {
-        const uint32_t ex = exponent((uint64_t)sum[OCEL_M_XXXX], en);
-        const uint32_t ey = exponent((uint64_t)sum[OCEL_M_YYYY], en);
-        uint32_t i;
+        const uint32_t en = ocel_ceil_log2(count);
+        const uint32_t ex = exponent(sum[OCEL_M_XXXX], en);
+        const uint32_t ey = exponent(sum[OCEL_M_YYYY], en);
+        int64_t *moment = sum;
 
-        for (i = 0U; i < (uint32_t)OCEL_M_COUNT; i++) { /* bound: OCEL_M_COUNT */
-            const uint32_t down = (ex * power_x[i]) + (ey * power_y[i]) + en; /* <= 65 */
+        /* Of each order those from x^n to y^n: the order of OCEL_M_*. */
+        for (uint32_t order = 0U; order <= 4U; order++) { /* bound: 5 */
+            uint32_t down = (ex * order) + en;            /* <= 65 */
 
-            sum[i] = ocel_scale_q60(sum[i], 60 - (int32_t)down);
+            for (uint32_t j = 0U; j <= order; j++) { /* bound: 5 */
+                *moment = ocel_scale_q60(*moment, 60 - (int32_t)down);
+                down = (down + ey) - ex;
+                moment++;
+            }
         }
         frame->x0_px_q24 = (int64_t)x0 * (int64_t)0x800000;
         frame->y0_px_q24 = (int64_t)y0 * (int64_t)0x800000;
