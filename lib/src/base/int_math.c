@@ -86,6 +86,10 @@ uint32_t ocel_isqrt64(uint64_t v) {
     return (uint32_t)root;
 }
 
+int32_t ocel_bits64(int64_t v) {
+    return 64 - (int32_t)ocel_clz64(ocel_abs64(v));
+}
+
 uint32_t ocel_ceil_log2(uint64_t n) {
     return (n <= 1U) ? 0U : (64U - ocel_clz64(n - 1U));
 }

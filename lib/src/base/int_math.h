@@ -151,6 +151,9 @@ uint64_t ocel_udiv64(uint64_t num, uint64_t den);
 /* floor(sqrt(v)) in 32 trips.  Any v; the result is below 2^32. */
 uint32_t ocel_isqrt64(uint64_t v);
 
+/* The bits of |v|: the least n, 0..64, with |v| < 2^n. */
+int32_t ocel_bits64(int64_t v);
+
 /* The least e with 2^e >= n; n >= 1, 0 gives 0. */
 uint32_t ocel_ceil_log2(uint64_t n);
 

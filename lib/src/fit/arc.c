@@ -4,14 +4,12 @@
 #include "../base/int_math.h"
 #include "../base/q60.h"
 #include "../base/scale.h"
+#include "../base/terms.h"
 
 /* The map of an offset in half Q16 px to a frame in which the ellipse is a
  * circle of about 2^14. */
 typedef struct {
-    int32_t xx_q29;
-    int32_t xy_q29;
-    int32_t yx_q29;
-    int32_t yy_q29;
+    int32_t g_q29[4]; /* row by row */
     int32_t shift;
 } rounding_t;
 
@@ -27,30 +25,36 @@ static const uint32_t spread_q4[30] = {
 /* sqrt(form) * G^-1 up to scale: with q = (1+v) (X + w/(1+v) Y)^2 +
  * flatness/(1+v) Y^2, the rows are ((1+v) X + w Y) and sqrt(flatness) Y, where
  * X ~ g22 dx and Y ~ g11 dy - g21 dx. */
-static rounding_t rounding_of(const ocel_conic_t *conic, const ocel_frame_t *frame,
-                              int32_t a_px_q16) {
-    const int64_t root = ocel_sqrt_q60((uint64_t)ocel_conic_flatness_q60(conic));
-    const int64_t xx = ocel_mul_q60(OCEL_Q60_ONE + conic->v_q60, frame->g22_q60) -
-                       ocel_mul_q60(conic->w_q60, frame->g21_q60);
-    const int64_t xy = ocel_mul_q60(conic->w_q60, frame->g11_q60);
-    const int64_t yx = -ocel_mul_q60(root, frame->g21_q60);
-    const int64_t yy = ocel_mul_q60(root, frame->g11_q60);
-    const uint64_t most = ocel_abs64(xx) | ocel_abs64(xy) | ocel_abs64(yx) | ocel_abs64(yy);
-    const int32_t e = (int32_t)ocel_clz64(most) - 35; /* to 29 bits */
+static rounding_t rounding_of(int64_t *r, int32_t a_px_q16) {
+    enum { ROOT = OCEL_F_FREE, MAP };
+    static const ocel_term_t terms[] = {
+        {OCEL_GOES_ON, OCEL_F_FORM_XX, OCEL_F_G22},
+        {OCEL_MINUS | MAP, OCEL_F_W, OCEL_F_G21},
+        {MAP + 1, OCEL_F_W, OCEL_F_G11},
+        {OCEL_MINUS | (MAP + 2), ROOT, OCEL_F_G21},
+        {OCEL_LAST | (MAP + 3), ROOT, OCEL_F_G11},
+    };
+    uint64_t most = 0U;
     rounding_t map;
+    int32_t e;
 
-    map.xx_q29 = (int32_t)ocel_scale_q60(xx, e);
-    map.xy_q29 = (int32_t)ocel_scale_q60(xy, e);
-    map.yx_q29 = (int32_t)ocel_scale_q60(yx, e);
-    map.yy_q29 = (int32_t)ocel_scale_q60(yy, e);
+    r[ROOT] = ocel_sqrt_q60((uint64_t)r[OCEL_F_FLATNESS]);
+    ocel_sum_terms(r, terms);
+    for (uint32_t i = 0U; i < 4U; i++) { /* bound: 4 */
+        most |= ocel_abs64(r[MAP + i]);
+    }
+    e = (int32_t)ocel_clz64(most) - 35;  /* to 29 bits */
+    for (uint32_t i = 0U; i < 4U; i++) { /* bound: 4 */
+        map.g_q29[i] = (int32_t)ocel_scale_q60(r[MAP + i], e);
+    }
     map.shift = (int32_t)ocel_clz32((uint32_t)a_px_q16) - 46; /* -45..-30 */
     return map;
 }
 
-/* a * x + b * y, shifted: |a|, |b| <= 2^29 and |x|, |y| < 2^31 (the distance of
+/* A row times an offset, shifted: |g| <= 2^29 and |dx|, |dy| < 2^31 (the distance of
  * two coordinates in half Q16 px), so the sum is within 2^61. */
-static int64_t mapped(int32_t a, int32_t b, int32_t x, int32_t y, int32_t shift) {
-    return ocel_scale_q60(((int64_t)a * x) + ((int64_t)b * y), shift);
+static int64_t mapped(const int32_t *row_q29, int32_t dx, int32_t dy, int32_t shift) {
+    return ocel_scale_q60(((int64_t)row_q29[0] * dx) + ((int64_t)row_q29[1] * dy), shift);
 }
 
 /* One bit for each sector that holds a point. */
@@ -66,8 +70,8 @@ static uint32_t sectors_hit(const ocel_source_t *source, const rounding_t *map,
         const int32_t dx = (int32_t)ocel_asr64(p.x - ellipse->cx_px_q16, 1U);
         const int32_t dy = (int32_t)ocel_asr64(p.y - ellipse->cy_px_q16, 1U);
 
-        hit |= 1U << ocel_sector_of(mapped(map->xx_q29, map->xy_q29, dx, dy, map->shift),
-                                    mapped(map->yx_q29, map->yy_q29, dx, dy, map->shift));
+        hit |= 1U << ocel_sector_of(mapped(&map->g_q29[0], dx, dy, map->shift),
+                                    mapped(&map->g_q29[2], dx, dy, map->shift));
     }
     return hit;
 }
@@ -87,9 +91,9 @@ static uint32_t centre_sigma(uint32_t rms_px_q16, uint32_t count, uint32_t cover
     return (sigma > UINT32_MAX) ? UINT32_MAX : (uint32_t)sigma;
 }
 
-uint32_t ocel_arc_sectors(const ocel_source_t *source, const ocel_conic_t *conic,
-                          const ocel_frame_t *frame, const ocel_ellipse_t *ellipse) {
-    const rounding_t map = rounding_of(conic, frame, ellipse->a_px_q16);
+uint32_t ocel_arc_sectors(const ocel_source_t *source, int64_t *r_q60,
+                          const ocel_ellipse_t *ellipse) {
+    const rounding_t map = rounding_of(r_q60, ellipse->a_px_q16);
 
     return ocel_sectors_covered(sectors_hit(source, &map, ellipse),
                                 (2U * OCEL_SECTORS) / (uint32_t)source->count);

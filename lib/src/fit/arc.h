@@ -10,13 +10,13 @@
 #include <ocellus/types.h>
 
 #include "../base/sector.h"
-#include "conic.h"
 #include "moments.h"
+#include "solution.h"
 
 /* Sectors, 0..32 (sector.h), that the points cover as seen from the ellipse's centre, in a
- * frame in which the ellipse is a circle. */
-uint32_t ocel_arc_sectors(const ocel_source_t *source, const ocel_conic_t *conic,
-                          const ocel_frame_t *frame, const ocel_ellipse_t *ellipse);
+ * frame in which the ellipse is a circle.  r: as ocel_ellipse_of_conic has it. */
+uint32_t ocel_arc_sectors(const ocel_source_t *source, int64_t *r_q60,
+                          const ocel_ellipse_t *ellipse);
 
 /* Writes arc_coverage and centre_sigma of an ellipse whose residual and point
  * count are there. */

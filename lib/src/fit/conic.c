@@ -5,6 +5,7 @@
 
 #include "../base/int_math.h"
 #include "../base/q60.h"
+#include "../base/terms.h"
 
 /* Newton steps on the cubic.  In double-precision prototypes the descent from uu
  * took 6 steps in the median and 12 at most on arcs of 90 degrees; the start
@@ -17,71 +18,88 @@
 #define NOTHING_Q60 ((int64_t)0x10000)
 
 /* |D|, |E| < 2^10 in Q48: beyond, the centre is far outside the points. */
-#define LINEAR_MAX_Q48 ((int64_t)0x400000000000000)
+#define LINEAR_BITS 58
+
+/* An axis ratio under 2^-15. */
+#define FLAT_Q60 ((int64_t)4294967296)
 
 /* The reduced problem M a = lambda C1 a in u = A + C, v = A - C, w = B, where
  * the constraint 4AC - B^2 is u^2 - v^2 - w^2 and M is scaled to a trace in
- * [1/2, 1).  M is positive semi-definite, so no entry exceeds the trace. */
-typedef struct {
-    int64_t uu;
-    int64_t vv;
-    int64_t ww;
-    int64_t uv;
-    int64_t uw;
-    int64_t vw;
-    int32_t up; /* the scaling was 2^up, -2..44 */
-} reduced_t;
+ * [1/2, 1).  M is positive semi-definite, so no entry exceeds the trace.  H is
+ * [vv vw; vw ww], g is (uv, uw), and
+ *   p(lambda) = -lambda^3 + c2 lambda^2 + c1 lambda + c0 = det(M - lambda J)
+ *             = (uu - lambda) det(H + lambda I) - g' adj(H + lambda I) g. */
+enum {
+    M_UU = 0,
+    M_VV,
+    M_WW,
+    M_UV,
+    M_UW,
+    M_VW,
+    M_COUNT,
+    TRACE_H = M_COUNT,
+    DET_H,
+    UV_UV,
+    UW_UW,
+    UV_UW,
+    C2,
+    C1,
+    C0,
+    WORK_COUNT,
+    NUMERATOR_V = UV_UV, /* of the null vector, for which M's squares serve no more */
+    NUMERATOR_W = UW_UW
+};
 
-/* p(lambda) = -lambda^3 + c2 lambda^2 + c1 lambda + c0 = det(M - lambda J). */
-typedef struct {
-    int64_t c2;
-    int64_t c1;
-    int64_t c0;
-} cubic_t;
-
-/* The congruence (A, B, C) -> (u, v, w).  Sums of four entries stay within
- * 4.1 * 2^60 < 2^63. */
-static ocel_status_t reduce(const ocel_scatter_t *scatter, reduced_t *m) {
+/* The congruence (A, B, C) -> (u, v, w), and its scaling by 2^up, -2..44.  Sums of four
+ * entries stay within 4.1 * 2^60 < 2^63. */
+static ocel_status_t reduce(const ocel_scatter_t *scatter, int64_t *m, int64_t *down) {
     const int64_t aa = scatter->a_q60[ocel_scatter_at(OCEL_S_XX, OCEL_S_XX)];
     const int64_t ab = scatter->a_q60[ocel_scatter_at(OCEL_S_XY, OCEL_S_XX)];
     const int64_t ac = scatter->a_q60[ocel_scatter_at(OCEL_S_YY, OCEL_S_XX)];
     const int64_t bb = scatter->a_q60[ocel_scatter_at(OCEL_S_XY, OCEL_S_XY)];
     const int64_t bc = scatter->a_q60[ocel_scatter_at(OCEL_S_YY, OCEL_S_XY)];
     const int64_t cc = scatter->a_q60[ocel_scatter_at(OCEL_S_YY, OCEL_S_YY)];
-    const int64_t uu = ocel_shift_round64(aa + (2 * ac) + cc, 2U);
-    const int64_t vv = ocel_shift_round64((aa - (2 * ac)) + cc, 2U);
-    const int64_t trace = uu + vv + bb;
     ocel_status_t status = OCEL_DEGENERATE;
+    int64_t trace;
 
+    m[M_UU] = aa + (2 * ac) + cc;
+    m[M_VV] = (aa - (2 * ac)) + cc;
+    m[M_WW] = 4 * bb;
+    m[M_UV] = aa - cc;
+    m[M_UW] = 2 * (ab + bc);
+    m[M_VW] = 2 * (ab - bc);
+    for (uint32_t i = 0U; i < (uint32_t)M_COUNT; i++) { /* bound: M_COUNT */
+        m[i] = ocel_shift_round64(m[i], 2U);
+    }
+    trace = m[M_UU] + m[M_VV] + m[M_WW];
     if (trace >= NOTHING_Q60) {
-        m->up = (int32_t)ocel_clz64((uint64_t)trace) - 4;
-        m->uu = ocel_scale_q60(uu, m->up);
-        m->vv = ocel_scale_q60(vv, m->up);
-        m->ww = ocel_scale_q60(bb, m->up);
-        m->uv = ocel_scale_q60(ocel_shift_round64(aa - cc, 2U), m->up);
-        m->uw = ocel_scale_q60(ocel_shift_round64(ab + bc, 1U), m->up);
-        m->vw = ocel_scale_q60(ocel_shift_round64(ab - bc, 1U), m->up);
+        const int32_t up = (int32_t)ocel_clz64((uint64_t)trace) - 4;
+
+        for (uint32_t i = 0U; i < (uint32_t)M_COUNT; i++) { /* bound: M_COUNT */
+            m[i] = ocel_scale_q60(m[i], up);
+        }
+        *down = -up;
         status = OCEL_OK;
     }
     return status;
 }
 
-/* With H = [vv vw; vw ww] and g = (uv, uw):
- *   det(M - lambda J) = (uu - lambda) det(H + lambda I) - g' adj(H + lambda I) g.
- * Every term is a product of entries below 1 with a sum below 1. */
-static cubic_t characteristic(const reduced_t *m) {
-    const int64_t trace_h = m->vv + m->ww;
-    const int64_t det_h = ocel_mul_q60(m->vv, m->ww) - ocel_mul_q60(m->vw, m->vw);
-    const int64_t uv2 = ocel_mul_q60(m->uv, m->uv);
-    const int64_t uw2 = ocel_mul_q60(m->uw, m->uw);
-    const int64_t cross = ocel_mul_q60(m->vw, ocel_mul_q60(m->uv, m->uw));
-    cubic_t p;
+/* Every term is a product of entries below 1 with a sum below 1. */
+static void characteristic(int64_t *m) {
+    static const ocel_term_t terms[] = {
+        {OCEL_GOES_ON, M_VV, M_WW},    {OCEL_MINUS | DET_H, M_VW, M_VW},
+        {UV_UV, M_UV, M_UV},           {UW_UW, M_UW, M_UW},
+        {UV_UW, M_UV, M_UW},           {OCEL_GOES_ON, M_UU, TRACE_H},
+        {OCEL_MINUS, M_VV, M_WW}, /* det H again, as it stands above */
+        {OCEL_GOES_ON, M_VW, M_VW},    {OCEL_MINUS, M_UV, M_UV},
+        {OCEL_MINUS | C1, M_UW, M_UW}, {OCEL_GOES_ON, M_UU, DET_H},
+        {OCEL_MINUS, M_WW, UV_UV},     {OCEL_GOES_ON, M_VW, UV_UW},
+        {OCEL_GOES_ON, M_VW, UV_UW},   {OCEL_LAST | OCEL_MINUS | C0, M_VV, UW_UW},
+    };
 
-    p.c2 = m->uu - trace_h;
-    p.c1 = ocel_mul_q60(m->uu, trace_h) - det_h - uv2 - uw2;
-    p.c0 = ocel_mul_q60(m->uu, det_h) -
-           ((ocel_mul_q60(m->ww, uv2) - (2 * cross)) + ocel_mul_q60(m->vv, uw2));
-    return p;
+    m[TRACE_H] = m[M_VV] + m[M_WW];
+    m[C2] = m[M_UU] - m[TRACE_H];
+    ocel_sum_terms(m, terms);
 }
 
 /* num / den for den > 0 to 30 bits; |num / den| < 2^3. */
@@ -94,10 +112,10 @@ static int64_t quotient_q60(int64_t num, int64_t den) {
 }
 
 /* -p'(lambda) / 2, where 0 <= lambda <= uu: |c2 - 1.5 lambda| <= 1. */
-static int64_t fall_q60(const cubic_t *p, int64_t lambda) {
-    const int64_t inner = p->c2 - (lambda + ocel_asr64(lambda, 1U));
+static int64_t fall_q60(const int64_t *m, int64_t lambda) {
+    const int64_t inner = m[C2] - (lambda + ocel_asr64(lambda, 1U));
 
-    return -(ocel_mul_q60(inner, lambda) + ocel_asr64(p->c1, 1U));
+    return -(ocel_mul_q60(inner, lambda) + ocel_asr64(m[C1], 1U));
 }
 
 /* Where Newton starts.  The largest root is the only one that is >= 0, and it
@@ -105,28 +123,28 @@ static int64_t fall_q60(const cubic_t *p, int64_t lambda) {
  * there descends to it monotonically.  When p is concave from 0 on (c2 <= 0)
  * and falls at 0, the tangent at 0 meets zero right of the root, and for good
  * data much nearer to it than uu. */
-static int64_t newton_start(const cubic_t *p, int64_t uu) {
-    int64_t start = uu;
+static int64_t newton_start(const int64_t *m) {
+    int64_t start = m[M_UU];
 
-    if ((p->c2 <= 0) && (p->c1 <= -NOTHING_Q60) && (p->c0 < -p->c1)) {
-        const int64_t tangent = quotient_q60((p->c0 > 0) ? p->c0 : 0, -p->c1);
+    if ((m[C2] <= 0) && (m[C1] <= -NOTHING_Q60) && (m[C0] < -m[C1])) {
+        const int64_t tangent = quotient_q60((m[C0] > 0) ? m[C0] : 0, -m[C1]);
 
-        start = (tangent < uu) ? tangent : uu;
+        start = (tangent < start) ? tangent : start;
     }
     return start;
 }
 
 /* The largest root, by at most NEWTON_MAX steps; a step's quotient of 30 bits
  * leaves the limit, where p vanishes, as exact as p is. */
-static int64_t largest_root_q60(const cubic_t *p, int64_t uu) {
-    int64_t lambda = newton_start(p, uu);
+static int64_t largest_root_q60(const int64_t *m) {
+    int64_t lambda = newton_start(m);
     bool moving = true;
     uint32_t i;
 
     for (i = 0U; moving && (i < NEWTON_MAX); i++) { /* bound: NEWTON_MAX */
-        const int64_t inner = ocel_mul_q60(p->c2 - lambda, lambda) + p->c1;
-        const int64_t value = ocel_mul_q60(inner, lambda) + p->c0;
-        const int64_t fall = fall_q60(p, lambda);
+        const int64_t inner = ocel_mul_q60(m[C2] - lambda, lambda) + m[C1];
+        const int64_t value = ocel_mul_q60(inner, lambda) + m[C0];
+        const int64_t fall = fall_q60(m, lambda);
         int64_t step = 0;
 
         if (fall >= NOTHING_Q60) {
@@ -134,109 +152,118 @@ static int64_t largest_root_q60(const cubic_t *p, int64_t uu) {
         }
         lambda += step;
         lambda = (lambda < 0) ? 0 : lambda;
-        lambda = (lambda > uu) ? uu : lambda;
+        lambda = (lambda > m[M_UU]) ? m[M_UU] : lambda;
         moving = (step < -8) || (step > 8);
     }
     return lambda;
 }
 
-/* -num / det for |num| < det: within +-1. */
-static int64_t minus_ratio_q60(int64_t num, const ocel_scaled_t *inverse) {
-    return -ocel_scale_q60(ocel_mul_q60(num, inverse->y_q60), inverse->e);
+ocel_status_t ocel_conic_flatten(ocel_solution_t *solution) {
+    int64_t *const q = solution->q60;
+    const int64_t flatness = OCEL_Q60_ONE - ocel_mul_q60(q[OCEL_F_V], q[OCEL_F_V]) -
+                             ocel_mul_q60(q[OCEL_F_W], q[OCEL_F_W]);
+
+    q[OCEL_F_FLATNESS] = flatness;
+    return (flatness < FLAT_Q60) ? OCEL_NOT_AN_ELLIPSE : OCEL_OK;
 }
 
-/* The null vector of M - lambda J with u = 1: (v, w) = -(H + lambda I)^-1 g. */
-static ocel_status_t null_vector(const reduced_t *m, int64_t lambda, ocel_conic_t *conic) {
-    const int64_t vv = m->vv + lambda;
-    const int64_t ww = m->ww + lambda;
-    const int64_t det = ocel_mul_q60(vv, ww) - ocel_mul_q60(m->vw, m->vw);
-    const int64_t num_v = ocel_mul_q60(ww, m->uv) - ocel_mul_q60(m->vw, m->uw);
-    const int64_t num_w = ocel_mul_q60(vv, m->uw) - ocel_mul_q60(m->vw, m->uv);
-    ocel_status_t status = OCEL_OK;
+/* The null vector of M - lambda J with u = 1: (v, w) = -(H + lambda I)^-1 g, each within
+ * 1. */
+static ocel_status_t null_vector(int64_t *m, int64_t lambda, ocel_solution_t *solution) {
+    static const ocel_term_t terms[] = {
+        {OCEL_GOES_ON, M_VV, M_WW}, {OCEL_MINUS | DET_H, M_VW, M_VW},
+        {OCEL_GOES_ON, M_WW, M_UV}, {OCEL_MINUS | NUMERATOR_V, M_VW, M_UW},
+        {OCEL_GOES_ON, M_VV, M_UW}, {OCEL_LAST | OCEL_MINUS | NUMERATOR_W, M_VW, M_UV},
+    };
+    ocel_status_t status = OCEL_DEGENERATE;
 
-    if (det < NOTHING_Q60) {
-        status = OCEL_DEGENERATE;
-    } else if ((ocel_abs64(num_v) >= (uint64_t)det) || (ocel_abs64(num_w) >= (uint64_t)det)) {
-        status = OCEL_NOT_AN_ELLIPSE;
-    } else {
+    m[M_VV] += lambda;
+    m[M_WW] += lambda;
+    ocel_sum_terms(m, terms);
+    if (m[DET_H] >= NOTHING_Q60) {
         ocel_scaled_t inverse;
 
-        ocel_recip_q60((uint64_t)det, &inverse.y_q60, &inverse.e);
-        conic->v_q60 = minus_ratio_q60(num_v, &inverse);
-        conic->w_q60 = minus_ratio_q60(num_w, &inverse);
-        status =
-            (ocel_conic_flatness_q60(conic) < OCEL_CONIC_FLAT_Q60) ? OCEL_NOT_AN_ELLIPSE : OCEL_OK;
+        status = OCEL_OK;
+        ocel_recip_q60((uint64_t)m[DET_H], &inverse.y_q60, &inverse.e);
+        for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
+            const int64_t numerator = m[NUMERATOR_V + i];
+
+            if (ocel_abs64(numerator) >= (uint64_t)m[DET_H]) {
+                status = OCEL_NOT_AN_ELLIPSE;
+            } else {
+                solution->q60[OCEL_F_V + i] =
+                    -ocel_scale_q60(ocel_mul_q60(numerator, inverse.y_q60), inverse.e);
+            }
+        }
+        if (status == OCEL_OK) {
+            status = ocel_conic_flatten(solution);
+        }
     }
     return status;
 }
 
-int64_t ocel_conic_flatness_q60(const ocel_conic_t *conic) {
-    return OCEL_Q60_ONE - ocel_mul_q60(conic->v_q60, conic->v_q60) -
-           ocel_mul_q60(conic->w_q60, conic->w_q60);
-}
-
 /* Row j of L times (A, B, C), over 4: |.| <= 3.1 / 4. */
-static int64_t projection_q58(const ocel_scatter_t *scatter, const ocel_conic_t *conic,
+static int64_t projection_q58(const ocel_scatter_t *scatter, const int64_t quadratic_q60[3],
                               uint32_t j) {
-    const int64_t a = ocel_asr64(OCEL_Q60_ONE + conic->v_q60, 1U);
-    const int64_t c = ocel_asr64(OCEL_Q60_ONE - conic->v_q60, 1U);
-    const int64_t sum = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_XX, j)], a) +
-                        ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_XY, j)], conic->w_q60) +
-                        ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_YY, j)], c);
+    int64_t sum = 0;
 
+    for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 */
+        sum += ocel_mul_q60(scatter->a_q60[ocel_scatter_at((uint32_t)OCEL_S_XX + i, j)],
+                            quadratic_q60[i]);
+    }
     return ocel_shift_round64(sum, 2U);
 }
 
-/* value * inverse * 2^down in the value's format, saturated to LINEAR_MAX. */
-static int64_t solved(int64_t value, ocel_scaled_t inverse, int32_t up) {
-    const int64_t product = ocel_mul_q60(value, inverse.y_q60);
-    const int32_t shift = inverse.e + up;
-    int64_t result = 0;
+/* D and E that make the mean of the polynomial times x, and times y, vanish: back
+ * substitution in L' (F, D, E) = -L'(quadratic part), row y, then row x. */
+static ocel_status_t find_linear(const ocel_scatter_t *scatter, ocel_solution_t *solution) {
+    int64_t *const q = solution->q60;
+    const int64_t quadratic_q60[3] = {ocel_asr64(OCEL_Q60_ONE + q[OCEL_F_V], 1U), q[OCEL_F_W],
+                                      ocel_asr64(OCEL_Q60_ONE - q[OCEL_F_V], 1U)};
+    bool small = true;
 
-    if ((shift > 0) && (ocel_abs64(product) >= ((uint64_t)LINEAR_MAX_Q48 >> (uint32_t)shift))) {
-        result = LINEAR_MAX_Q48;
-    } else {
-        result = ocel_scale_q60(product, shift);
-    }
-    return result;
-}
+    for (uint32_t row = OCEL_S_Y; small && (row >= (uint32_t)OCEL_S_X); row--) { /* bound: 2 */
+        int64_t *const linear = &q[(uint32_t)OCEL_F_D_Q48 + (row - (uint32_t)OCEL_S_X)];
+        const ocel_scaled_t inverse = ocel_scatter_inverse(scatter, row);
+        int32_t up = -10; /* from the projection's 2^-2 to Q48 */
+        int64_t rest = projection_q58(scatter, quadratic_q60, row);
+        int64_t product;
 
-/* Back substitution in L' (F, D, E) = -L'(quadratic part), rows y and x. */
-ocel_status_t ocel_conic_linear(const ocel_scatter_t *scatter, ocel_conic_t *conic) {
-    const int64_t y_part = projection_q58(scatter, conic, (uint32_t)OCEL_S_Y);
-    const int64_t x_part = projection_q58(scatter, conic, (uint32_t)OCEL_S_X);
-    bool small;
-
-    conic->e_q48 = -solved(y_part, ocel_scatter_inverse(scatter, OCEL_S_Y), -10);
-    small = ocel_abs64(conic->e_q48) < (uint64_t)LINEAR_MAX_Q48;
-    if (small) {
-        const int64_t rest =
-            ocel_shift_round64(x_part, 10U) +
-            ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_X)], conic->e_q48);
-
-        conic->d_q48 = -solved(rest, ocel_scatter_inverse(scatter, OCEL_S_X), 0);
-        small = ocel_abs64(conic->d_q48) < (uint64_t)LINEAR_MAX_Q48;
+        if (row == (uint32_t)OCEL_S_X) {
+            rest =
+                ocel_shift_round64(rest, 10U) +
+                ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_X)], q[OCEL_F_E_Q48]);
+            up = 0;
+        }
+        product = ocel_mul_q60(rest, inverse.y_q60);
+        up += inverse.e;
+        small = (ocel_bits64(product) + up) <= LINEAR_BITS; /* so that it can be shifted */
+        if (small) {
+            *linear = -ocel_scale_q60(product, up);
+            small = ocel_bits64(*linear) <= LINEAR_BITS;
+        }
     }
     return small ? OCEL_OK : OCEL_NOT_AN_ELLIPSE;
 }
 
-ocel_status_t ocel_conic_b2ac(const ocel_scatter_t *scatter, ocel_conic_t *conic,
+ocel_status_t ocel_conic_b2ac(const ocel_scatter_t *scatter, ocel_solution_t *solution,
                               int64_t *eigenvalue_q60) {
-    reduced_t m;
-    ocel_status_t status = reduce(scatter, &m);
+    int64_t m[WORK_COUNT];
+    int64_t *const q = solution->q60;
+    ocel_status_t status = reduce(scatter, m, &q[OCEL_F_ENERGY_E]);
 
     *eigenvalue_q60 = 0;
     if (status == OCEL_OK) {
-        const cubic_t p = characteristic(&m);
-        const int64_t lambda = largest_root_q60(&p, m.uu);
+        int64_t lambda;
 
+        characteristic(m);
+        lambda = largest_root_q60(m);
         *eigenvalue_q60 = lambda;
-        status = null_vector(&m, lambda, conic);
+        status = null_vector(m, lambda, solution);
         if (status == OCEL_OK) {
-            conic->mean_q60 = 0; /* the constant F is free, so the mean vanishes */
-            conic->energy.y_q60 = ocel_mul_q60(lambda, ocel_conic_flatness_q60(conic));
-            conic->energy.e = -m.up;
-            status = ocel_conic_linear(scatter, conic);
+            q[OCEL_F_MEAN] = 0; /* the constant F is free, so the mean vanishes */
+            q[OCEL_F_ENERGY] = ocel_mul_q60(lambda, q[OCEL_F_FLATNESS]);
+            status = find_linear(scatter, solution);
         }
     }
     return status;

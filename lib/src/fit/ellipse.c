@@ -6,6 +6,7 @@
 #include "../base/int_math.h"
 #include "../base/q60.h"
 #include "../base/scale.h"
+#include "../base/terms.h"
 #include "../base/trig.h"
 
 /* A centre farther than 2^8 half-sides from the points' box is none: arcs
@@ -16,79 +17,120 @@
  * zero: an imaginary ellipse. */
 #define NOTHING_Q60 ((int64_t)0x10000)
 
-/* The centre and the points' second moments about it. */
-typedef struct {
-    int64_t cx_q48;
-    int64_t cy_q48;
-    int64_t xx_q60; /* the moments over 2 * 4^reach: each <= 1 */
-    int64_t xy_q60;
-    int64_t yy_q60;
-    int32_t reach; /* 0..9: the centre is within 2^reach of the centroid */
-} about_centre_t;
+/* What is found here, after the solution and its form. */
+enum {
+    V = OCEL_F_V,
+    W = OCEL_F_W,
+    D = OCEL_F_D_Q48,
+    E = OCEL_F_E_Q48,
+    FORM_XX = OCEL_F_FORM_XX,
+    FORM_YY = OCEL_F_FORM_YY,
+    G11 = OCEL_F_G11,
+    G21 = OCEL_F_G21,
+    G22 = OCEL_F_G22,
 
-/* The quadratic part [1+v w; w 1-v] = 2 [A B/2; B/2 C], each entry below 2. */
-typedef struct {
-    int64_t xx_q60;
-    int64_t xy_q60;
-    int64_t yy_q60;
-} form_t;
+    ROOT = OCEL_F_FREE, /* of 1 / flatness, without its exponent */
+    CX_Q48,             /* the centre */
+    CY_Q48,
+    MXX, /* the points' second moments about it, over 2 * 4^reach: each <= 1 */
+    MXY,
+    MYY,
+    LEVEL,     /* half of the conic's level, over 4^reach */
+    G11_UPPER, /* g11 and g22 without their exponents */
+    G22_UPPER,
+    SHAPE_XX,
+    SHAPE_XY,
+    SHAPE_YY,
+    GRADIENT,
+    SQUARE,
+    X_PX,
+    Y_PX,
+    A0, /* for a moment */
+    A1,
+    A2,
+    A3,
+    A4,
+    A5,
+    A6,
+    PLACES
+};
+typedef char ocel_assert_work_t[((uint32_t)PLACES <= OCEL_F_WORK_COUNT) ? 1 : -1];
 
-static form_t form_of_conic(const ocel_conic_t *conic) {
-    form_t form;
+/* The conic's flatness as every affine frame sees it: 4AC - B^2 over (A + C)^2
+ * in the frame in which the points do not correlate.  An arc of a turn's
+ * fraction t has about tan^2(90 t): .017 at 30 degrees, 2^-9 at 10. */
+static bool is_too_flat(int64_t *r) {
+    static const ocel_term_t terms[] = {
+        /* the covariance's determinant, and half of the form's trace with it */
+        {OCEL_GOES_ON, OCEL_F_XX, OCEL_F_YY}, {OCEL_MINUS | A0, OCEL_F_XY, OCEL_F_XY},
+        {OCEL_GOES_ON, FORM_XX, OCEL_F_XX},   {OCEL_GOES_ON, W, OCEL_F_XY},
+        {OCEL_GOES_ON, W, OCEL_F_XY},         {OCEL_LAST | A1, FORM_YY, OCEL_F_YY},
+    };
+    int64_t half;
 
-    form.xx_q60 = OCEL_Q60_ONE + conic->v_q60;
-    form.xy_q60 = conic->w_q60;
-    form.yy_q60 = OCEL_Q60_ONE - conic->v_q60;
-    return form;
+    ocel_sum_terms(r, terms);
+    half = ocel_asr64(r[A1], 1U);
+    return ocel_mul_q60(r[OCEL_F_FLATNESS], r[A0]) < ocel_asr64(ocel_mul_q60(half, half), 9U);
 }
 
 /* Solves [1+v w; w 1-v] (cx, cy) = -(D, E) with the inverse determinant
- * 1/flatness = root_inverse^2.  |D|, |E| < 2^10 makes the numerators below
+ * 1/flatness = root^2.  |D|, |E| < 2^10 makes the numerators below
  * 2^13 * 2^48 = 2^61; flatness >= 2^-28 makes each factor's exponent <= 15. */
-static bool find_centre(const ocel_conic_t *conic, const form_t *form,
-                        const ocel_scaled_t *root_inverse, about_centre_t *about) {
-    const int64_t inverse_q60 = ocel_mul_q60(root_inverse->y_q60, root_inverse->y_q60);
-    const int32_t e = 2 * root_inverse->e;
+static bool find_centre(int64_t *r, int32_t root_e) {
+    static const ocel_term_t terms[] = {
+        {A0, ROOT, ROOT},
+        {OCEL_GOES_ON, W, E},
+        {OCEL_MINUS | A1, FORM_YY, D},
+        {OCEL_GOES_ON, W, D},
+        {OCEL_MINUS | A2, FORM_XX, E},
+        {CX_Q48, A1, A0},
+        {OCEL_LAST | CY_Q48, A2, A0},
+    };
+    const int32_t e = 2 * root_e;
     const uint64_t most = (uint64_t)CENTRE_MAX_Q48 >> (uint32_t)((e > 0) ? e : 0);
-    const int64_t num_x =
-        ocel_mul_q60(form->xy_q60, conic->e_q48) - ocel_mul_q60(form->yy_q60, conic->d_q48);
-    const int64_t num_y =
-        ocel_mul_q60(form->xy_q60, conic->d_q48) - ocel_mul_q60(form->xx_q60, conic->e_q48);
-    const int64_t x = ocel_mul_q60(num_x, inverse_q60);
-    const int64_t y = ocel_mul_q60(num_y, inverse_q60);
-    const bool near = (ocel_abs64(x) < most) && (ocel_abs64(y) < most);
+    bool near = true;
 
-    if (near) {
-        about->cx_q48 = ocel_scale_q60(x, e);
-        about->cy_q48 = ocel_scale_q60(y, e);
+    ocel_sum_terms(r, terms);
+    for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
+        near = near && (ocel_abs64(r[CX_Q48 + i]) < most);
+        r[CX_Q48 + i] = ocel_scale_q60(r[CX_Q48 + i], e);
     }
     return near;
 }
 
-/* The smallest r >= 0 with |x|, |y| < 2^(r + 48). */
-static int32_t reach_of(int64_t x_q48, int64_t y_q48) {
-    const int32_t bits = 64 - (int32_t)ocel_clz64(ocel_abs64(x_q48) | ocel_abs64(y_q48));
+/* The points' moments about the centre, and the level: the mean of the quadratic form
+ * about the centre, less the polynomial's mean; k / 4^reach <= 4.  A moment is a
+ * covariance and a product of offsets, both positive semi-definite, so nothing cancels.
+ * Returns reach, 0..9: the centre is within 2^reach of the centroid. */
+static int32_t find_level(int64_t *r) {
+    static const ocel_term_t products[] = {
+        {MXX, A0, A0},
+        {MXY, A0, A1},
+        {OCEL_LAST | MYY, A1, A1},
+    };
+    static const ocel_term_t level[] = {
+        {OCEL_GOES_ON, FORM_XX, MXX},
+        {OCEL_GOES_ON, W, MXY},
+        {OCEL_GOES_ON, W, MXY},
+        {OCEL_LAST | LEVEL, FORM_YY, MYY},
+    };
+    int32_t reach;
 
-    return (bits > 48) ? (bits - 48) : 0;
-}
-
-/* A covariance and a product of offsets to a moment about the centre, over
- * 2 * 4^reach; both parts are positive semi-definite, so nothing cancels. */
-static int64_t moment_about(int64_t covariance_q60, int64_t product_q60, int32_t reach) {
-    return ocel_scale_q60(covariance_q60, -1 - (2 * reach)) + ocel_shift_round64(product_q60, 1U);
-}
-
-static void moments_about(const ocel_spread_t *spread, about_centre_t *about) {
-    const int64_t dx_q48 = ocel_shift_round64(spread->x, 12U) - about->cx_q48;
-    const int64_t dy_q48 = ocel_shift_round64(spread->y, 12U) - about->cy_q48;
-    const int32_t reach = reach_of(dx_q48, dy_q48);
-    const int64_t dx = ocel_scale_q60(dx_q48, 12 - reach);
-    const int64_t dy = ocel_scale_q60(dy_q48, 12 - reach);
-
-    about->reach = reach;
-    about->xx_q60 = moment_about(spread->xx, ocel_mul_q60(dx, dx), reach);
-    about->xy_q60 = moment_about(spread->xy, ocel_mul_q60(dx, dy), reach);
-    about->yy_q60 = moment_about(spread->yy, ocel_mul_q60(dy, dy), reach);
+    r[A0] = ocel_shift_round64(r[OCEL_F_X], 12U) - r[CX_Q48];
+    r[A1] = ocel_shift_round64(r[OCEL_F_Y], 12U) - r[CY_Q48];
+    reach = ocel_bits64(ocel_signed64(ocel_abs64(r[A0]) | ocel_abs64(r[A1]))) - 48;
+    reach = (reach > 0) ? reach : 0;
+    for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
+        r[A0 + i] = ocel_scale_q60(r[A0 + i], 12 - reach);
+    }
+    ocel_sum_terms(r, products);
+    for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 */
+        r[MXX + i] =
+            ocel_scale_q60(r[OCEL_F_XX + i], -1 - (2 * reach)) + ocel_shift_round64(r[MXX + i], 1U);
+    }
+    ocel_sum_terms(r, level);
+    r[LEVEL] = ocel_asr64(r[LEVEL] - ocel_scale_q60(r[OCEL_F_MEAN], -2 * reach), 1U);
+    return reach;
 }
 
 /* value * 2^e as an int32, 0 for a negative value; at 2^30 and beyond (16384 px
@@ -97,176 +139,174 @@ static int32_t to_int32(int64_t value, int32_t e) {
     int32_t result = 0;
 
     if ((value > 0) && (e >= -62)) {
-        const int32_t bits = 64 - (int32_t)ocel_clz64((uint64_t)value);
-
-        result = ((bits + e) > 30) ? INT32_MAX : (int32_t)ocel_scale_q60(value, e);
+        result = ((ocel_bits64(value) + e) > 30) ? INT32_MAX : (int32_t)ocel_scale_q60(value, e);
     }
     return result;
 }
 
-/* A value's mantissa in [2^59, 2^60) and how far it was shifted up for it. */
-static ocel_scaled_t normalised(int64_t value_q60) {
-    ocel_scaled_t scaled;
+/* A positive value's mantissa in [2^59, 2^60) in place, and how far it was shifted up. */
+static int32_t normalise(int64_t *value_q60) {
+    const int32_t e = ocel_bits64(*value_q60) - 60;
 
-    scaled.e = 4 - (int32_t)ocel_clz64((uint64_t)value_q60);
-    scaled.y_q60 = ocel_scale_q60(value_q60, -scaled.e);
-    return scaled;
+    *value_q60 = ocel_scale_q60(*value_q60, -e);
+    return e;
 }
 
-/* det G * value / root, value < 2, given the inverse of the root: where the
- * area of the frame's unit square enters. */
-static ocel_scaled_t times_area(const ocel_frame_t *frame, int64_t value_q60,
-                                const ocel_scaled_t *inverse) {
-    const ocel_scaled_t g11 = normalised(frame->g11_q60);
-    const ocel_scaled_t g22 = normalised(frame->g22_q60);
-    ocel_scaled_t result;
+/* What of the image does not need the conic's size.
+ *
+ * The shape matrix (inverse of the form over 2k) in the image is
+ * 2k/flatness G [1-v -w; -w 1+v] G'; G <= 1/2 keeps the products within 3/2.
+ *
+ * The mean squared gradient of the conic's polynomial over the points, in the image, times
+ * (det G)^2 / (16 * 4^reach): tr(adj(G)' U adj(G)) with U = form M form.  M/16 has a trace
+ * of at most 1/4 and form a norm below 2, so form M/16 form is within 1.
+ *
+ * The mean square of the polynomial, and G times the centre. */
+static void map(int64_t *r) {
+    static const ocel_term_t terms[] = {
+        /* A0 = -w, A1 = -g21; the shape, whose g12 is 0 */
+        {A2, G11, FORM_YY},
+        {A3, G11, A0},
+        {OCEL_GOES_ON, G21, FORM_YY},
+        {A4, G22, A0},
+        {OCEL_GOES_ON, G21, A0},
+        {A5, G22, FORM_XX},
+        {SHAPE_XX, A2, G11},
+        {OCEL_GOES_ON, A2, G21},
+        {SHAPE_XY, A3, G22},
+        {OCEL_GOES_ON, A4, G21},
+        {SHAPE_YY, A5, G22},
+        /* form M */
+        {OCEL_GOES_ON, FORM_XX, MXX},
+        {A2, W, MXY},
+        {OCEL_GOES_ON, FORM_XX, MXY},
+        {A3, W, MYY},
+        {OCEL_GOES_ON, W, MXX},
+        {A4, FORM_YY, MXY},
+        {OCEL_GOES_ON, W, MXY},
+        {A5, FORM_YY, MYY},
+        /* U: xx, xy, yy */
+        {OCEL_GOES_ON, A2, FORM_XX},
+        {A6, A3, W},
+        {OCEL_GOES_ON, A2, W},
+        {A3, A3, FORM_YY},
+        {OCEL_GOES_ON, A4, W},
+        {A5, A5, FORM_YY},
+        /* U adj(G), and the trace */
+        {OCEL_GOES_ON, G22, A6},
+        {A2, A1, A3},
+        {OCEL_GOES_ON, G22, A3},
+        {A3, A1, A5},
+        {A4, G11, A5},
+        {OCEL_GOES_ON, A2, G22},
+        {OCEL_GOES_ON, A3, A1},
+        {GRADIENT, A4, G11},
+        {SQUARE, OCEL_F_ENERGY, OCEL_F_WEIGHT},
+        {X_PX, G11, CX_Q48},
+        {OCEL_GOES_ON, G21, CX_Q48},
+        {OCEL_LAST | Y_PX, G22, CY_Q48},
+    };
 
-    result.y_q60 =
-        ocel_mul_q60(ocel_mul_q60(value_q60, g11.y_q60), ocel_mul_q60(g22.y_q60, inverse->y_q60));
-    result.e = g11.e + g22.e + inverse->e;
-    return result;
+    r[A0] = -r[W];
+    r[A1] = -r[G21];
+    for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 */
+        r[MXX + i] = ocel_asr64(r[MXX + i], 3U);
+    }
+    ocel_sum_terms(r, terms);
 }
 
-/* M S M' for M = [a b; c d] and S symmetric; every |M| below 2, every |S| and
- * every product's sum below 2. */
-static form_t congruence(const int64_t m[4], const form_t *s) {
-    const int64_t pxx = ocel_mul_q60(m[0], s->xx_q60) + ocel_mul_q60(m[1], s->xy_q60);
-    const int64_t pxy = ocel_mul_q60(m[0], s->xy_q60) + ocel_mul_q60(m[1], s->yy_q60);
-    const int64_t pyx = ocel_mul_q60(m[2], s->xx_q60) + ocel_mul_q60(m[3], s->xy_q60);
-    const int64_t pyy = ocel_mul_q60(m[2], s->xy_q60) + ocel_mul_q60(m[3], s->yy_q60);
-    form_t out;
+/* A0 * A1 / ... : lengths of the image, but for their exponents.  From AREA on
+ * A4 = det G * A0 / root, A1 the root's inverse: where the area of the frame's unit square
+ * enters. */
+#define AREA 3U
+static const ocel_term_t lengths[] = {
+    {A2, A0, ROOT},      {A3, A6, A1},        {A5, A2, A3},
+    {A2, A0, G11_UPPER}, {A3, G22_UPPER, A1}, {OCEL_LAST | A4, A2, A3},
+};
 
-    out.xx_q60 = ocel_mul_q60(pxx, m[0]) + ocel_mul_q60(pxy, m[1]);
-    out.xy_q60 = ocel_mul_q60(pxx, m[2]) + ocel_mul_q60(pxy, m[3]);
-    out.yy_q60 = ocel_mul_q60(pyx, m[2]) + ocel_mul_q60(pyy, m[3]);
-    return out;
-}
-
-/* Semi-axes and angle.  The shape matrix (inverse of the form over 2k) in the
- * image is E = 2k/flatness G [1-v -w; -w 1+v] G'; G <= 1/2 keeps the products
- * within 3/2.  a^2 is its larger eigenvalue, b^2 = det E / a^2, whose
- * determinant is known without cancellation. */
-static void map_axes(const form_t *form, int64_t half_k_q60, const ocel_scaled_t *root_inverse,
-                     const ocel_frame_t *frame, int32_t reach, ocel_ellipse_t *ellipse) {
-    const int64_t g[4] = {frame->g11_q60, 0, frame->g21_q60, frame->g22_q60};
-    const form_t adjoint = {form->yy_q60, -form->xy_q60, form->xx_q60};
-    const form_t e = congruence(g, &adjoint);
-    const int64_t root_k = ocel_sqrt_q60((uint64_t)half_k_q60);
-    const int32_t scale = frame->scale_log2 + reach - 60;
-    int64_t eigenvalue;
+/* Semi-axes and angle.  a^2 is the larger eigenvalue of the shape matrix, E, and
+ * b^2 = det E / a^2, whose determinant is known without cancellation.  scale: what both
+ * exponents have of the frame. */
+static void find_axes(int64_t *r, int32_t root_e, int32_t area_e, int32_t scale,
+                      ocel_ellipse_t *ellipse) {
     int64_t difference;
     uint32_t turn_q32;
-    ocel_scaled_t inverse; /* of the eigenvalue's root */
-    ocel_scaled_t b;
+    int32_t e; /* of the inverse of the eigenvalue's root */
 
-    ocel_polar(ocel_asr64(e.xx_q60 - e.yy_q60, 1U), e.xy_q60, &difference, &turn_q32);
-    eigenvalue = ocel_asr64(e.xx_q60 + e.yy_q60, 1U) + difference;
+    ocel_polar(ocel_asr64(r[SHAPE_XX] - r[SHAPE_YY], 1U), r[SHAPE_XY], &difference, &turn_q32);
     ellipse->angle_turn_q32 = turn_q32 >> 1U;
-    ocel_rsqrt_q60((uint64_t)eigenvalue, &inverse.y_q60, &inverse.e);
-    ellipse->a_px_q16 = to_int32(ocel_mul_q60(ocel_mul_q60(root_k, root_inverse->y_q60),
-                                              ocel_mul_q60(eigenvalue, inverse.y_q60)),
-                                 scale + root_inverse->e + inverse.e);
-    b = times_area(frame, root_k, &inverse);
-    ellipse->b_px_q16 = to_int32(b.y_q60, scale + b.e);
+    r[A6] = ocel_asr64(r[SHAPE_XX] + r[SHAPE_YY], 1U) + difference;
+    r[A0] = ocel_sqrt_q60((uint64_t)r[LEVEL]);
+    ocel_rsqrt_q60((uint64_t)r[A6], &r[A1], &e);
+    ocel_sum_terms(r, lengths);
+    ellipse->a_px_q16 = to_int32(r[A5], scale + root_e + e);
+    ellipse->b_px_q16 = to_int32(r[A4], scale + area_e + e);
     if (ellipse->b_px_q16 > ellipse->a_px_q16) { /* a circle, rounded */
         ellipse->b_px_q16 = ellipse->a_px_q16;
     }
 }
 
-/* Q24 to Q16 with a range check. */
-static bool to_q16(int64_t px_q24, int32_t *px_q16) {
-    const int64_t rounded = ocel_shift_round64(px_q24, 8U);
-    const bool fits = (rounded > INT32_MIN) && (rounded < INT32_MAX);
-
-    *px_q16 = fits ? (int32_t)rounded : 0;
-    return fits;
-}
-
-/* |c| < 2^8 in Q48 times G <= 1/2, then 2^(scale_log2 + 7) from Q48: a right
- * shift by 41 - scale_log2 >= 5. */
-static bool map_centre(const about_centre_t *about, const ocel_frame_t *frame,
-                       ocel_ellipse_t *ellipse) {
-    const int32_t e = frame->scale_log2 - 41;
-    const int64_t x = ocel_mul_q60(frame->g11_q60, about->cx_q48);
-    const int64_t y =
-        ocel_mul_q60(frame->g21_q60, about->cx_q48) + ocel_mul_q60(frame->g22_q60, about->cy_q48);
-    const bool x_fits = to_q16(frame->x0_px_q24 + ocel_scale_q60(x, e), &ellipse->cx_px_q16);
-    const bool y_fits = to_q16(frame->y0_px_q24 + ocel_scale_q60(y, e), &ellipse->cy_px_q16);
-
-    return x_fits && y_fits;
-}
-
-/* The mean squared gradient of the conic's polynomial over the points, in the
- * image, times (det G)^2 / (16 * 4^reach): tr(adj(G)' W adj(G)) with
- * W = form V form.  V/16 has a trace of at most 1/4 and form a norm below 2, so
- * form V/16 form is within 1. */
-static int64_t mean_gradient_q60(const form_t *form, const about_centre_t *about,
-                                 const ocel_frame_t *frame) {
-    const int64_t f[4] = {form->xx_q60, form->xy_q60, form->xy_q60, form->yy_q60};
-    const int64_t adjoint[4] = {frame->g22_q60, -frame->g21_q60, 0, frame->g11_q60};
-    const form_t spread = {ocel_asr64(about->xx_q60, 3U), ocel_asr64(about->xy_q60, 3U),
-                           ocel_asr64(about->yy_q60, 3U)};
-    const form_t w = congruence(f, &spread);
-    const form_t gradient = congruence(adjoint, &w);
-
-    return gradient.xx_q60 + gradient.yy_q60;
-}
-
 /* Taubin's approximation of the mean squared distance: the mean square of the
- * polynomial over its mean squared gradient (Taubin 1991, PAMI 13, eq. 3.9). */
-static int32_t rms_px_q16(const ocel_conic_t *conic, const ocel_spread_t *spread,
-                          const form_t *form, const about_centre_t *about,
-                          const ocel_frame_t *frame) {
-    const int64_t gradient_q60 = mean_gradient_q60(form, about, frame);
-    const int64_t square_q60 = ocel_mul_q60(conic->energy.y_q60, spread->inverse_weight);
+ * polynomial over its mean squared gradient (Taubin 1991, PAMI 13, eq. 3.9).  scale: what
+ * the exponent has of the frame. */
+static int32_t rms_px_q16(int64_t *r, int32_t area_e, int32_t scale) {
     int32_t rms = 0;
 
-    if ((square_q60 > 0) && (gradient_q60 > 0)) {
+    if ((r[SQUARE] > 0) && (r[GRADIENT] > 0)) {
         /* sqrt(s / g) = s / sqrt(s g), with both in [1/2, 1) times powers of two. */
-        const ocel_scaled_t s = normalised(square_q60);
-        const ocel_scaled_t g = normalised(gradient_q60);
-        const int32_t e = conic->energy.e + s.e - g.e;
-        const int32_t odd = (int32_t)((uint32_t)e & 1U);
-        ocel_scaled_t inverse;
-        ocel_scaled_t r;
+        const int32_t square_e = (int32_t)r[OCEL_F_ENERGY_E] + normalise(&r[SQUARE]);
+        const int32_t ratio_e = square_e - normalise(&r[GRADIENT]);
+        const uint32_t odd = (uint32_t)ratio_e & 1U;
+        const int32_t half_e = ocel_asr32(ratio_e + (int32_t)odd, 1U);
+        int32_t e;
 
-        ocel_rsqrt_q60((uint64_t)ocel_asr64(ocel_mul_q60(s.y_q60, g.y_q60), (uint32_t)odd),
-                       &inverse.y_q60, &inverse.e);
-        r = times_area(frame, ocel_asr64(s.y_q60, (uint32_t)odd), &inverse);
-        rms = to_int32(r.y_q60, (r.e + ((e + odd) / 2) + frame->scale_log2) - (63 + about->reach));
+        r[A0] = ocel_asr64(r[SQUARE], odd);
+        ocel_rsqrt_q60((uint64_t)ocel_asr64(ocel_mul_q60(r[SQUARE], r[GRADIENT]), odd), &r[A1], &e);
+        ocel_sum_terms(r, &lengths[AREA]);
+        rms = to_int32(r[A4], scale + area_e + half_e + e);
     }
     return rms;
 }
 
-/* Half of the conic's level k: the mean of the quadratic form about the centre,
- * less the polynomial's mean.  k / 4^reach <= 4. */
-static int64_t half_level_q60(const ocel_conic_t *conic, const form_t *form,
-                              const about_centre_t *about) {
-    const int64_t mean = ocel_scale_q60(conic->mean_q60, -2 * about->reach);
-    const int64_t k = ocel_mul_q60(form->xx_q60, about->xx_q60) +
-                      (2 * ocel_mul_q60(form->xy_q60, about->xy_q60)) +
-                      ocel_mul_q60(form->yy_q60, about->yy_q60);
+/* |c| < 2^8 in Q48 times G <= 1/2, then 2^(scale_log2 + 7) from Q48: a right
+ * shift by 41 - scale_log2 >= 5; from Q24 to Q16 with a range check. */
+static bool place_centre(const int64_t *r, ocel_ellipse_t *ellipse) {
+    int32_t c_px_q16[2];
+    bool fits = true;
 
-    return ocel_asr64(k - mean, 1U);
+    for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
+        const int64_t c_px_q24 = r[(uint32_t)OCEL_F_X0_Q24 + i] +
+                                 ocel_scale_q60(r[X_PX + i], (int32_t)r[OCEL_F_SCALE_LOG2] - 41);
+        const int64_t rounded = ocel_shift_round64(c_px_q24, 8U);
+
+        c_px_q16[i] = (int32_t)rounded;
+        fits = fits && (rounded > INT32_MIN) && (rounded < INT32_MAX);
+    }
+    ellipse->cx_px_q16 = c_px_q16[0];
+    ellipse->cy_px_q16 = c_px_q16[1];
+    return fits;
 }
 
-ocel_status_t ocel_ellipse_of_conic(const ocel_conic_t *conic, const ocel_spread_t *spread,
-                                    const ocel_frame_t *frame, ocel_ellipse_t *ellipse) {
-    const form_t form = form_of_conic(conic);
+ocel_status_t ocel_ellipse_of_conic(int64_t *r_q60, ocel_ellipse_t *ellipse) {
+    int64_t *const r = r_q60;
     ocel_status_t status = OCEL_NOT_AN_ELLIPSE;
-    ocel_scaled_t root_inverse;
-    about_centre_t about;
+    int32_t root_e;
 
-    ocel_rsqrt_q60((uint64_t)ocel_conic_flatness_q60(conic), &root_inverse.y_q60, &root_inverse.e);
-    if (find_centre(conic, &form, &root_inverse, &about)) {
-        int64_t half_k;
+    ocel_rsqrt_q60((uint64_t)r[OCEL_F_FLATNESS], &r[ROOT], &root_e);
+    if ((!is_too_flat(r)) && find_centre(r, root_e)) {
+        const int32_t reach = find_level(r);
 
-        moments_about(spread, &about);
-        half_k = half_level_q60(conic, &form, &about);
-        if (half_k >= NOTHING_Q60) {
-            map_axes(&form, half_k, &root_inverse, frame, about.reach, ellipse);
-            ellipse->rms_px_q16 = (uint32_t)rms_px_q16(conic, spread, &form, &about, frame);
-            status = (map_centre(&about, frame, ellipse) && (ellipse->a_px_q16 < INT32_MAX) &&
+        if (r[LEVEL] >= NOTHING_Q60) {
+            const int32_t scale = (int32_t)r[OCEL_F_SCALE_LOG2];
+            int32_t area_e;
+
+            map(r);
+            r[G11_UPPER] = r[G11];
+            r[G22_UPPER] = r[G22];
+            area_e = normalise(&r[G11_UPPER]) + normalise(&r[G22_UPPER]);
+            find_axes(r, root_e, area_e, (scale + reach) - 60, ellipse);
+            ellipse->rms_px_q16 = (uint32_t)rms_px_q16(r, area_e, scale - (63 + reach));
+            status = (place_centre(r, ellipse) && (ellipse->a_px_q16 < INT32_MAX) &&
                       (ellipse->b_px_q16 > 0))
                          ? OCEL_OK
                          : OCEL_OUT_OF_RANGE;

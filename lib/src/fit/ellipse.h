@@ -10,14 +10,12 @@
 #include <ocellus/status.h>
 #include <ocellus/types.h>
 
-#include "conic.h"
-#include "moments.h"
-#include "scatter.h"
+#include "solution.h"
 
-/* Writes centre, semi-axes, angle and RMS residual of `ellipse`.
- * OCEL_OK, OCEL_NOT_AN_ELLIPSE (imaginary, or its centre over 2^8 frame units
+/* Writes centre, semi-axes, angle and RMS residual of `ellipse`.  r: a solution and its
+ * form, then free places, OCEL_F_WORK_COUNT together.
+ * OCEL_OK, OCEL_NOT_AN_ELLIPSE (too flat, imaginary, or its centre over 2^8 frame units
  * away), OCEL_OUT_OF_RANGE (int32 Q16 pixels cannot hold it). */
-ocel_status_t ocel_ellipse_of_conic(const ocel_conic_t *conic, const ocel_spread_t *spread,
-                                    const ocel_frame_t *frame, ocel_ellipse_t *ellipse);
+ocel_status_t ocel_ellipse_of_conic(int64_t *r_q60, ocel_ellipse_t *ellipse);
 
 #endif

@@ -43,19 +43,19 @@ static ocel_status_t check(bool present, size_t count, const ocel_fit_options_t 
 
 /* Moments of the points as they are: by exact sums where those fit. */
 static ocel_status_t moments_of(const ocel_source_t *source, ocel_moments_t *moments,
-                                ocel_frame_t *frame) {
+                                ocel_solution_t *solution) {
     ocel_status_t status = OCEL_OK;
     bool exact = false;
 
     if (source->points == NULL) {
-        exact = ocel_moments_of_cracks(source->cracks, source->count, moments, frame);
+        exact = ocel_moments_of_cracks(source->cracks, source->count, moments, solution);
     }
     if (!exact) {
         /* Not in the eye, unless it is large: there the squares sum to less than 2^31. */
         /* at most: 2 in a call of ocel_fit_points or ocel_fit_cracks;
          * 2 * ((OCEL_MAX_CRACKS * (OCEL_MAX_WIDTH * OCEL_MAX_WIDTH +
          * OCEL_MAX_HEIGHT * OCEL_MAX_HEIGHT)) / 536870912) in a call of ocel_eye_refit */
-        status = ocel_moments_of_source(source, false, moments, frame);
+        status = ocel_moments_of_source(source, false, moments, solution);
     }
     return status;
 }
@@ -65,7 +65,7 @@ static ocel_status_t direct(const ocel_source_t *source, bool auto_perturb,
                             ocel_solution_t *solution, bool *unstable) {
     ocel_moments_t moments;
     int64_t eigenvalue = 0;
-    ocel_status_t status = moments_of(source, &moments, &solution->frame);
+    ocel_status_t status = moments_of(source, &moments, solution);
 
     if (status == OCEL_OK) {
         status = ocel_fit_direct(&moments, solution, &eigenvalue);
@@ -78,7 +78,7 @@ static ocel_status_t direct(const ocel_source_t *source, bool auto_perturb,
 static ocel_status_t perturbed(const ocel_source_t *source, ocel_solution_t *solution) {
     ocel_moments_t moments;
     int64_t eigenvalue;
-    ocel_status_t status = ocel_moments_of_source(source, true, &moments, &solution->frame);
+    ocel_status_t status = ocel_moments_of_source(source, true, &moments, solution);
 
     if (status == OCEL_OK) {
         status = ocel_fit_direct(&moments, solution, &eigenvalue);
@@ -88,10 +88,10 @@ static ocel_status_t perturbed(const ocel_source_t *source, ocel_solution_t *sol
 
 static ocel_status_t hyper(const ocel_source_t *source, ocel_solution_t *solution) {
     ocel_moments_t moments;
-    ocel_status_t status = moments_of(source, &moments, &solution->frame);
+    ocel_status_t status = moments_of(source, &moments, solution);
 
     if (status == OCEL_OK) {
-        status = ocel_conic_hyper(&moments, &solution->frame, &solution->spread, &solution->conic);
+        status = ocel_conic_hyper(&moments, solution);
     }
     return status;
 }

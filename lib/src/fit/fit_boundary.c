@@ -28,7 +28,7 @@ ocel_status_t ocel_fit_boundary(const ocel_crack_t *cracks, size_t count, bool c
         ocel_solution_t solution;
         int64_t eigenvalue;
 
-        status = ocel_moments_of_cracks(cracks, count, &moments, &solution.frame)
+        status = ocel_moments_of_cracks(cracks, count, &moments, &solution)
                      ? ocel_fit_direct(&moments, &solution, &eigenvalue)
                      : OCEL_OVERFLOW;
         if (status == OCEL_OK) {

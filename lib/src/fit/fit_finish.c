@@ -3,10 +3,11 @@
 
 #include <string.h>
 
-#include "../base/int_math.h"
 #include "../base/q60.h"
 #include "arc.h"
+#include "conic.h"
 #include "ellipse.h"
+#include "scatter.h"
 
 /* From 27/32 of a turn (304 degrees) on an arc is vouched for without a second
  * opinion.  Below, B2AC's bias can make a short arc look as long as it says. */
@@ -26,35 +27,21 @@ static bool is_trusted(const ocel_ellipse_t *ellipse, bool closed) {
                   : (ellipse->arc_coverage_q16 >= TRUSTED_ARC_Q16);
 }
 
-/* The conic's flatness as every affine frame sees it: 4AC - B^2 over (A + C)^2
- * in the frame in which the points do not correlate.  An arc of a turn's
- * fraction t has about tan^2(90 t): .017 at 30 degrees, 2^-9 at 10. */
-static bool too_flat(const ocel_conic_t *conic, const ocel_spread_t *spread) {
-    const int64_t determinant =
-        ocel_mul_q60(spread->xx, spread->yy) - ocel_mul_q60(spread->xy, spread->xy);
-    const int64_t trace = ocel_mul_q60(OCEL_Q60_ONE + conic->v_q60, spread->xx) +
-                          (2 * ocel_mul_q60(conic->w_q60, spread->xy)) +
-                          ocel_mul_q60(OCEL_Q60_ONE - conic->v_q60, spread->yy);
-    const int64_t half = ocel_asr64(trace, 1U);
-
-    return ocel_mul_q60(ocel_conic_flatness_q60(conic), determinant) <
-           ocel_asr64(ocel_mul_q60(half, half), 9U);
-}
-
 ocel_status_t ocel_fit_finish(const ocel_solution_t *solution, const ocel_source_t *source,
                               bool closed, ocel_ellipse_t *ellipse) {
-    ocel_status_t status = OCEL_NOT_AN_ELLIPSE;
+    int64_t r[OCEL_F_WORK_COUNT];
+    ocel_status_t status;
 
-    if (!too_flat(&solution->conic, &solution->spread)) {
-        status =
-            ocel_ellipse_of_conic(&solution->conic, &solution->spread, &solution->frame, ellipse);
-    }
+    (void)memcpy(r, solution->q60, sizeof(solution->q60));
+    r[OCEL_F_FORM_XX] = OCEL_Q60_ONE + r[OCEL_F_V];
+    r[OCEL_F_FORM_YY] = OCEL_Q60_ONE - r[OCEL_F_V];
+    status = ocel_ellipse_of_conic(r, ellipse);
     if (status == OCEL_OK) {
         uint32_t sectors = OCEL_SECTORS;
 
         ellipse->point_count = (uint32_t)source->count;
         if (!closed) {
-            sectors = ocel_arc_sectors(source, &solution->conic, &solution->frame, ellipse);
+            sectors = ocel_arc_sectors(source, r, ellipse);
         }
         ocel_arc_judge(sectors, ellipse);
         status = is_trusted(ellipse, closed) ? OCEL_OK : OCEL_PARTIAL;
@@ -70,8 +57,8 @@ ocel_status_t ocel_fit_direct(const ocel_moments_t *moments, ocel_solution_t *so
     ocel_scatter_t scatter;
 
     *eigenvalue_q60 = 0;
-    if (ocel_scatter_reduce(moments, &scatter, &solution->spread)) {
-        status = ocel_conic_b2ac(&scatter, &solution->conic, eigenvalue_q60);
+    if (ocel_scatter_reduce(moments, &scatter, solution)) {
+        status = ocel_conic_b2ac(&scatter, solution, eigenvalue_q60);
     }
     return status;
 }

@@ -10,16 +10,8 @@
 #include <ocellus/status.h>
 #include <ocellus/types.h>
 
-#include "conic.h"
 #include "moments.h"
-#include "scatter.h"
-
-/* What every fit hands on: the best conic, and where the points lie. */
-typedef struct {
-    ocel_conic_t conic;
-    ocel_spread_t spread;
-    ocel_frame_t frame;
-} ocel_solution_t;
+#include "solution.h"
 
 /* Writes the ellipse but for its method and whether it was perturbed; zeroes it
  * unless the status is OCEL_OK or OCEL_PARTIAL: the latter for every arc under

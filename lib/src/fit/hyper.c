@@ -7,6 +7,8 @@
 #include "../base/int_math.h"
 #include "../base/q60.h"
 #include "../base/scale.h"
+#include "conic.h"
+#include "scatter.h"
 
 /* Inverse power steps t <- cov^-1 N t.  The second eigenvalue is 10 to 100 times
  * the first on arcs that an ellipse can be fitted to: after three steps the
@@ -44,18 +46,14 @@ typedef struct {
     int64_t r;
 } metric_t;
 
-static int32_t bits_of(int64_t value) {
-    return 64 - (int32_t)ocel_clz64(ocel_abs64(value));
-}
-
 /* Isotropic noise in the image is adj(G) adj(G)' in the frame, up to scale;
  * scaled here to at most 1/8. */
-static void noise_metric(const ocel_frame_t *frame, metric_t *n) {
-    const int64_t p = ocel_mul_q60(frame->g22_q60, frame->g22_q60);
-    const int64_t q = -ocel_mul_q60(frame->g22_q60, frame->g21_q60);
-    const int64_t r =
-        ocel_mul_q60(frame->g21_q60, frame->g21_q60) + ocel_mul_q60(frame->g11_q60, frame->g11_q60);
-    const int32_t e = 57 - bits_of((p > r) ? p : r);
+static void noise_metric(const int64_t *q60, metric_t *n) {
+    const int64_t p = ocel_mul_q60(q60[OCEL_F_G22], q60[OCEL_F_G22]);
+    const int64_t q = -ocel_mul_q60(q60[OCEL_F_G22], q60[OCEL_F_G21]);
+    const int64_t r = ocel_mul_q60(q60[OCEL_F_G21], q60[OCEL_F_G21]) +
+                      ocel_mul_q60(q60[OCEL_F_G11], q60[OCEL_F_G11]);
+    const int32_t e = 57 - ocel_bits64((p > r) ? p : r);
 
     n->p = ocel_scale_q60(p, e);
     n->q = ocel_scale_q60(q, e);
@@ -86,7 +84,7 @@ static void normalise_vector(vector_t *v) {
  * is scaled down as far as the new element needs to stay below 2^57. */
 static void divide_element(vector_t *v, uint32_t i, int64_t rest, ocel_scaled_t inverse) {
     const int64_t product = ocel_mul_q60(rest, inverse.y_q60);
-    const int32_t over = (bits_of(product) + inverse.e) - (VECTOR_BITS - 1);
+    const int32_t over = (ocel_bits64(product) + inverse.e) - (VECTOR_BITS - 1);
     const int32_t down = (over > 0) ? over : 0;
 
     v->t[i] = 0;
@@ -208,7 +206,8 @@ static int64_t over(int64_t value, const ocel_scaled_t *inverse, int32_t e) {
 }
 
 /* Scales the vector to A + C = 1. */
-static ocel_status_t conic_of(const vector_t *v, ocel_conic_t *conic, ocel_scaled_t *inverse) {
+static ocel_status_t conic_of(const vector_t *v, ocel_solution_t *solution,
+                              ocel_scaled_t *inverse) {
     const int64_t sum = v->t[AT_XX] + v->t[AT_YY];
     const int64_t difference = v->t[AT_XX] - v->t[AT_YY];
     const uint64_t size = ocel_abs64(sum);
@@ -216,14 +215,15 @@ static ocel_status_t conic_of(const vector_t *v, ocel_conic_t *conic, ocel_scale
 
     if ((size >= ((uint64_t)1 << (57U - ROUND_MIN_BITS))) && (ocel_abs64(difference) < size) &&
         (ocel_abs64(v->t[AT_XY]) < size)) {
+        int64_t *const q = solution->q60;
+
         ocel_recip_q60(size, &inverse->y_q60, &inverse->e);
         inverse->y_q60 = (sum < 0) ? -inverse->y_q60 : inverse->y_q60;
-        conic->v_q60 = over(difference, inverse, 0);
-        conic->w_q60 = over(v->t[AT_XY], inverse, 0);
-        conic->d_q48 = over(v->t[AT_X], inverse, -12);
-        conic->e_q48 = over(v->t[AT_Y], inverse, -12);
-        status =
-            (ocel_conic_flatness_q60(conic) < OCEL_CONIC_FLAT_Q60) ? OCEL_NOT_AN_ELLIPSE : OCEL_OK;
+        q[OCEL_F_V] = over(difference, inverse, 0);
+        q[OCEL_F_W] = over(v->t[AT_XY], inverse, 0);
+        q[OCEL_F_D_Q48] = over(v->t[AT_X], inverse, -12);
+        q[OCEL_F_E_Q48] = over(v->t[AT_Y], inverse, -12);
+        status = ocel_conic_flatten(solution);
     }
     return status;
 }
@@ -245,42 +245,43 @@ static bool variance_q60(int64_t residual, int64_t slope, int64_t *lambda) {
 /* The polynomial's mean over the points that makes the fit unbiased, and its
  * mean square.  Uses v up. */
 static ocel_status_t finish_conic(const ocel_scatter_t *scatter, const metric_t *n, vector_t *v,
-                                  ocel_conic_t *conic) {
+                                  ocel_solution_t *solution) {
     const int64_t residual = residual_q60(scatter, v);
     const int64_t bias = ocel_mul_q60(n->p, v->t[AT_XX]) + ocel_mul_q60(n->q, v->t[AT_XY]) +
                          ocel_mul_q60(n->r, v->t[AT_YY]);
     ocel_scaled_t inverse;
     int64_t lambda;
-    ocel_status_t status = conic_of(v, conic, &inverse);
+    ocel_status_t status = conic_of(v, solution, &inverse);
 
     if ((status == OCEL_OK) && (!variance_q60(residual, apply_metric(n, v), &lambda))) {
         status = OCEL_NOT_AN_ELLIPSE;
     }
     if (status == OCEL_OK) {
-        conic->mean_q60 = over(ocel_mul_q60(lambda, bias), &inverse, 0);
-        conic->energy.y_q60 = ocel_mul_q60(residual, ocel_mul_q60(inverse.y_q60, inverse.y_q60));
-        conic->energy.e = 2 * inverse.e;
+        int64_t *const q = solution->q60;
+
+        q[OCEL_F_MEAN] = over(ocel_mul_q60(lambda, bias), &inverse, 0);
+        q[OCEL_F_ENERGY] = ocel_mul_q60(residual, ocel_mul_q60(inverse.y_q60, inverse.y_q60));
+        q[OCEL_F_ENERGY_E] = (int64_t)2 * inverse.e;
     }
     return status;
 }
 
-ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, const ocel_frame_t *frame,
-                               ocel_spread_t *spread, ocel_conic_t *conic) {
+ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, ocel_solution_t *solution) {
     ocel_scatter_t scatter;
     ocel_status_t status = OCEL_DEGENERATE;
 
-    if (ocel_scatter_reduce(moments, &scatter, spread) && finish_factor(&scatter)) {
+    if (ocel_scatter_reduce(moments, &scatter, solution) && finish_factor(&scatter)) {
         vector_t v = {{0, 0, (int64_t)0x200000000000000, 0, (int64_t)0x200000000000000}};
         metric_t n;
         uint32_t i;
 
-        noise_metric(frame, &n);
+        noise_metric(solution->q60, &n);
         n.m_q60 = moments->m_q60;
         for (i = 0U; i < POWER_STEPS; i++) { /* bound: POWER_STEPS */
             (void)apply_metric(&n, &v);
             solve(&scatter, &v);
         }
-        status = finish_conic(&scatter, &n, &v, conic);
+        status = finish_conic(&scatter, &n, &v, solution);
     }
     return status;
 }

@@ -7,9 +7,8 @@
 
 #include <ocellus/status.h>
 
-#include "conic.h"
 #include "moments.h"
-#include "scatter.h"
+#include "solution.h"
 
 /* Hyper least squares without its terms in 1/n ("semi-hyper": Kanatani and
  * Rangarajan, Hyper least squares fitting of circles and ellipses, CSDA 55
@@ -17,9 +16,8 @@
  * the square of the noise's variance, into Taubin's 5x5
  *   cov(xi) t = lambda N_T t,  then  mean of F = lambda (p A + q B + r C),
  * p, q, r the noise's covariance in the frame (DESIGN.md derives it).
- * Writes the spread of the points too.
+ * Wants the frame of `solution`, writes its conic and where the points lie.
  * OCEL_OK, OCEL_DEGENERATE, OCEL_NOT_AN_ELLIPSE. */
-ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, const ocel_frame_t *frame,
-                               ocel_spread_t *spread, ocel_conic_t *conic);
+ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, ocel_solution_t *solution);
 
 #endif

@@ -13,6 +13,8 @@
 #include <ocellus/status.h>
 #include <ocellus/types.h>
 
+#include "solution.h"
+
 /* Places of the moments: OCEL_M_XY is the mean of x*y, and so on. */
 enum {
     OCEL_M_1 = 0,
@@ -32,17 +34,6 @@ enum {
     OCEL_M_YYYY,
     OCEL_M_COUNT
 };
-
-/* The affine map from the normalised frame to the image, G lower triangular:
- *   (x, y) px = ((x0, y0) in Q24) + 2^scale_log2 * G * (u, v), G in Q17 px. */
-typedef struct {
-    int64_t x0_px_q24; /* |.| <= 2^42 */
-    int64_t y0_px_q24;
-    int64_t g11_q60;    /* 2^24 <= g11 <= 2^59: at most 1/2 */
-    int64_t g21_q60;    /* |g21| <= 2^59 */
-    int64_t g22_q60;    /* 1 <= g22 <= 2^59 */
-    int32_t scale_log2; /* 17..36 */
-} ocel_frame_t;
 
 typedef struct {
     int64_t m_q60[OCEL_M_COUNT]; /* sums divided by 2^ceil(log2 n): |.| <= 1.01 */
@@ -83,12 +74,12 @@ static inline ocel_pair_t ocel_source_px_q16(const ocel_source_t *source, size_t
  * squared offsets from the point midway between the first and the middle crack sum to
  * 2^31 half pixels squared or more (discs of R > 512 px). */
 bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_moments_t *moments,
-                            ocel_frame_t *frame);
+                            ocel_solution_t *solution);
 
 /* Moments of any points by 128-bit sums, sheared so that x and y do not
  * correlate; `perturb` applies the LCSE perturbation in Maini's frame instead.
  * OCEL_OK, OCEL_DEGENERATE (no width or no height), OCEL_OUT_OF_RANGE. */
 ocel_status_t ocel_moments_of_source(const ocel_source_t *source, bool perturb,
-                                     ocel_moments_t *moments, ocel_frame_t *frame);
+                                     ocel_moments_t *moments, ocel_solution_t *solution);
 
 #endif

@@ -82,13 +82,13 @@ static void sum_cracks(const ocel_crack_t *cracks, size_t count, int32_t x0, int
 }
 
 /* The frame of a box whose half-sides are 2^ex and 2^ey Q17 px: exact. */
-static void frame_of_powers(ocel_frame_t *frame, uint32_t ex, uint32_t ey) {
+static void frame_of_powers(ocel_solution_t *solution, uint32_t ex, uint32_t ey) {
     const uint32_t larger = (ex > ey) ? ex : ey;
 
-    frame->scale_log2 = (int32_t)larger + 1; /* so that G is at most 1/2 */
-    frame->g11_q60 = ocel_scale_q60(1, 59 - (int32_t)(larger - ex));
-    frame->g21_q60 = 0;
-    frame->g22_q60 = ocel_scale_q60(1, 59 - (int32_t)(larger - ey));
+    solution->q60[OCEL_F_SCALE_LOG2] = (int64_t)larger + 1; /* so that G is at most 1/2 */
+    solution->q60[OCEL_F_G11] = ocel_scale_q60(1, 59 - (int32_t)(larger - ex));
+    solution->q60[OCEL_F_G21] = 0;
+    solution->q60[OCEL_F_G22] = ocel_scale_q60(1, 59 - (int32_t)(larger - ey));
 }
 
 /* The scale exponent of one axis: the least e with sum_4 <= 2^(4 e + en), so
@@ -101,7 +101,7 @@ static uint32_t exponent(int64_t sum_4, uint32_t en) {
 }
 
 bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_moments_t *moments,
-                            ocel_frame_t *frame) {
+                            ocel_solution_t *solution) {
     const ocel_crack_t *const first = &cracks[0];
     const ocel_crack_t *const middle = &cracks[count / 2U];
     const int32_t x0 = ocel_asr32((int32_t)first->x_hpx + middle->x_hpx, 1U);
@@ -127,9 +127,9 @@ bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_momen
                 moment++;
             }
         }
-        frame->x0_px_q24 = (int64_t)x0 * (int64_t)0x800000;
-        frame->y0_px_q24 = (int64_t)y0 * (int64_t)0x800000;
-        frame_of_powers(frame, ex + 16U, ey + 16U);
+        solution->q60[OCEL_F_X0_Q24] = (int64_t)x0 * (int64_t)0x800000;
+        solution->q60[OCEL_F_Y0_Q24] = (int64_t)y0 * (int64_t)0x800000;
+        frame_of_powers(solution, ex + 16U, ey + 16U);
     }
     return exact;
 }

@@ -190,7 +190,8 @@ static void sum_source(const ocel_source_t *source, const normal_t *normal, int6
  *   x = x0 + sx u,  y = y0 + sy (shear u + 2^(down - 20) v + centre).
  * G is scaled by 2^-larger so that it stays within 1/2: |shear| <= 4 and
  * 2^(down - 20) <= 8 ask for four bits over the longer side. */
-static void frame_of_sides(ocel_frame_t *frame, const normal_t *normal) {
+static void frame_of_sides(ocel_solution_t *solution, const normal_t *normal) {
+    int64_t *const q = solution->q60;
     const int64_t sx = normal->side_x_q17;
     const int64_t sy = normal->side_y_q17;
     const uint32_t larger = ocel_ceil_log2((uint64_t)((sx > sy) ? sx : sy)) + 4U; /* <= 36 */
@@ -198,12 +199,12 @@ static void frame_of_sides(ocel_frame_t *frame, const normal_t *normal) {
     const int64_t sy_up = ocel_scale_q60(sy, up); /* <= 2^56 */
     const int64_t shear_q57 = ocel_shl64(normal->shear_q20, 57U - SHEAR_BITS);
 
-    frame->scale_log2 = (int32_t)larger;
-    frame->g11_q60 = ocel_scale_q60(sx, up);
-    frame->g21_q60 = ocel_mul_q60(sy_up, shear_q57) * 8;
-    frame->g22_q60 = ocel_scale_q60(sy_up, (int32_t)normal->down - (int32_t)SHEAR_BITS);
-    frame->x0_px_q24 = normal->x0_q17 * 128;
-    frame->y0_px_q24 =
+    q[OCEL_F_SCALE_LOG2] = (int64_t)larger;
+    q[OCEL_F_G11] = ocel_scale_q60(sx, up);
+    q[OCEL_F_G21] = ocel_mul_q60(sy_up, shear_q57) * 8;
+    q[OCEL_F_G22] = ocel_scale_q60(sy_up, (int32_t)normal->down - (int32_t)SHEAR_BITS);
+    q[OCEL_F_X0_Q24] = normal->x0_q17 * 128;
+    q[OCEL_F_Y0_Q24] =
         (normal->y0_q17 * 128) + ocel_mul_q60(ocel_shl64(sy, 17U), normal->centre_q50);
 }
 
@@ -234,7 +235,7 @@ static bool within_range(const span_t *span) {
 }
 
 ocel_status_t ocel_moments_of_source(const ocel_source_t *source, bool perturb,
-                                     ocel_moments_t *moments, ocel_frame_t *frame) {
+                                     ocel_moments_t *moments, ocel_solution_t *solution) {
     const span_t span = span_of_source(source);
     ocel_status_t status = OCEL_OK;
 
@@ -257,7 +258,7 @@ ocel_status_t ocel_moments_of_source(const ocel_source_t *source, bool perturb,
             fill_unit(source, &normal);
         }
         sum_source(source, &normal, moments->m_q60);
-        frame_of_sides(frame, &normal);
+        frame_of_sides(solution, &normal);
     }
     return status;
 }

@@ -41,21 +41,22 @@ bool ocel_scatter_eliminate(ocel_scatter_t *scatter, uint32_t k, int64_t least_q
 
 /* Mean and covariance, when the constant's column has been eliminated:
  * L[1][1] = sqrt(weight), L[x][1] = weighted mean / sqrt(weight). */
-static void read_spread(const ocel_scatter_t *scatter, ocel_spread_t *spread) {
+static void read_spread(const ocel_scatter_t *scatter, ocel_solution_t *solution) {
+    int64_t *const q = solution->q60;
     const ocel_scaled_t inverse = ocel_scatter_inverse(scatter, OCEL_S_1);
     const int64_t root = ocel_scale_q60(inverse.y_q60, inverse.e); /* in [1, 1.42] */
     const int64_t weight = ocel_mul_q60(root, root);
 
-    spread->inverse_weight = weight;
-    spread->x = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_X, OCEL_S_1)], root);
-    spread->y = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_1)], root);
-    spread->xx = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_X, OCEL_S_X)], weight);
-    spread->xy = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_X)], weight);
-    spread->yy = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_Y)], weight);
+    q[OCEL_F_WEIGHT] = weight;
+    q[OCEL_F_X] = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_X, OCEL_S_1)], root);
+    q[OCEL_F_Y] = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_1)], root);
+    q[OCEL_F_XX] = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_X, OCEL_S_X)], weight);
+    q[OCEL_F_XY] = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_X)], weight);
+    q[OCEL_F_YY] = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_Y)], weight);
 }
 
 bool ocel_scatter_reduce(const ocel_moments_t *moments, ocel_scatter_t *scatter,
-                         ocel_spread_t *spread) {
+                         ocel_solution_t *solution) {
     /* The moment that each product of two monomials is. */
     static const uint8_t place[TRIANGLE] = {
         OCEL_M_1,    OCEL_M_X,   OCEL_M_XX,   OCEL_M_Y,   OCEL_M_XY,   OCEL_M_YY,   OCEL_M_XX,
@@ -68,7 +69,7 @@ bool ocel_scatter_reduce(const ocel_moments_t *moments, ocel_scatter_t *scatter,
         scatter->a_q60[i] = moments->m_q60[place[i]];
     }
     (void)ocel_scatter_eliminate(scatter, (uint32_t)OCEL_S_1, 1); /* weight >= 1/2 */
-    read_spread(scatter, spread);
+    read_spread(scatter, solution);
     independent = ocel_scatter_eliminate(scatter, (uint32_t)OCEL_S_X, COLLINEAR_Q60);
     if (independent) {
         independent = ocel_scatter_eliminate(scatter, (uint32_t)OCEL_S_Y, COLLINEAR_Q60);

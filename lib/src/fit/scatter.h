@@ -11,6 +11,7 @@
 
 #include "../base/scale.h"
 #include "moments.h"
+#include "solution.h"
 
 /* Columns: the constant and the linear monomials come first, so that three
  * eliminations leave the 3x3 problem of the quadratic ones. */
@@ -27,16 +28,6 @@ typedef struct {
     int64_t inverse_q60[OCEL_S_COUNT]; /* y of y * 2^e; apart, for the stack's sake */
     int8_t inverse_e[OCEL_S_COUNT];    /* -1..30 */
 } ocel_scatter_t;
-
-/* Where the points lie: their mean and their covariance, Q60. */
-typedef struct {
-    int64_t inverse_weight; /* of S[1][1]: 2^ceil(log2 n) / n, in [1, 2) */
-    int64_t x;
-    int64_t y;
-    int64_t xx;
-    int64_t xy;
-    int64_t yy;
-} ocel_spread_t;
 
 /* The place of row i, column j <= i. */
 static inline uint32_t ocel_scatter_at(uint32_t i, uint32_t j) {
@@ -55,8 +46,8 @@ static inline ocel_scaled_t ocel_scatter_inverse(const ocel_scatter_t *scatter, 
 bool ocel_scatter_eliminate(ocel_scatter_t *scatter, uint32_t k, int64_t least_q60);
 
 /* Lays the moments out as S, eliminates the constant and the linear columns,
- * and reads the spread on the way.  False when the points are collinear. */
+ * and writes where the points lie on the way.  False when they are collinear. */
 bool ocel_scatter_reduce(const ocel_moments_t *moments, ocel_scatter_t *scatter,
-                         ocel_spread_t *spread);
+                         ocel_solution_t *solution);
 
 #endif
