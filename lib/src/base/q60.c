@@ -9,6 +9,8 @@
  */
 #include "q60.h"
 
+#include "scale.h"
+
 #define RSQRT_TRIPS 3U /* 2^-5.4, 2^-10.2, 2^-19.8, 2^-39: past the 32 bits */
 
 #define ONE_Q61 ((uint64_t)1U << 61U)
@@ -48,17 +50,6 @@ void ocel_recip_q60(uint64_t p, int64_t *y_q60, int32_t *e) {
         *y_q60 = ocel_shl64((int64_t)y_q31, 29U) + ocel_shift_round64((int64_t)y_q31 * r_q60, 31U);
         *e = (int32_t)shift - 3;
     }
-}
-
-int64_t ocel_mul_q60_by_parts(int64_t a, int64_t b) {
-    const int32_t ah = (int32_t)ocel_asr64(a, 30U);
-    const int32_t bh = (int32_t)ocel_asr64(b, 30U);
-    const int32_t al = (int32_t)(a & 0x3FFFFFFF);
-    const int32_t bl = (int32_t)(b & 0x3FFFFFFF);
-    const int64_t low = ocel_asr64((int64_t)al * bl, 30U);
-    const int64_t middle = ((int64_t)ah * bl) + ((int64_t)al * bh) + low;
-
-    return ((int64_t)ah * bh) + ocel_asr64(middle, 30U);
 }
 
 /* One 32-bit Newton step of the reciprocal root.  m_q30 in [2^30, 2^32) is
@@ -119,20 +110,16 @@ void ocel_rsqrt_q60(uint64_t p, int64_t *y_q60, int32_t *e) {
     }
 }
 
-/* sqrt(m) = m / sqrt(m), with m in Q59 (below 2^61) and the reciprocal root in
- * Q60: the product is in [2^59, 2^60].  p < 2^62, so shift >= 2 and the last
- * shift is -1 (one bit left) or a right one of up to 29. */
+/* sqrt(m) = m / sqrt(m), with p / 2^60 = (m / 2^62) * 2^(2 - shift), m in Q59 (below
+ * 2^61) and the reciprocal root in Q60: the product is in [2^59, 2^60].  p < 2^62, so
+ * shift >= 2 and the last shift is -1 (one bit left) or a right one of up to 29. */
 int64_t ocel_sqrt_q60(uint64_t p) {
-    int64_t root_q60 = 0;
+    int64_t y_q60;
+    int64_t m_q59;
+    int32_t e; /* shift / 2 - 1 */
 
-    if (p != 0U) {
-        const uint32_t shift = ocel_clz64(p) & ~1U;
-        const uint64_t m_q62 = p << shift;
-        const int64_t m_q59 = ocel_signed64(m_q62 >> 3U);
-        const int64_t root_q59 = ocel_mul_q60(m_q59, rsqrt_mantissa(m_q62));
-
-        /* sqrt(p / 2^60) = sqrt(m) * 2^(1 - shift / 2); one more for Q59. */
-        root_q60 = ocel_shift_round64(root_q59 * 4, shift >> 1U);
-    }
-    return root_q60;
+    ocel_rsqrt_q60(p, &y_q60, &e);
+    m_q59 = ocel_signed64((p << (uint32_t)(2 * (e + 1))) >> 3U);
+    /* sqrt(p / 2^60) = sqrt(m) * 2^(1 - shift / 2); one more for Q59. */
+    return ocel_asr64(ocel_asr64(ocel_mul_q60(m_q59, y_q60) * 4, (uint32_t)e) + 1, 1U);
 }
