@@ -86,8 +86,15 @@ uint32_t ocel_isqrt64(uint64_t v) {
     return (uint32_t)root;
 }
 
-int32_t ocel_bits64(int64_t v) {
-    return 64 - (int32_t)ocel_clz64(ocel_abs64(v));
+int32_t ocel_bits_of(const int64_t *v, uint32_t count) {
+    uint64_t all = 0U;
+    uint32_t i = 0U;
+
+    do { /* bound: OCEL_MAX_VECTOR */
+        all |= ocel_abs64(v[i]);
+        i++;
+    } while (i < count);
+    return 64 - (int32_t)ocel_clz64(all);
 }
 
 uint32_t ocel_ceil_log2(uint64_t n) {

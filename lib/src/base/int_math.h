@@ -151,8 +151,12 @@ uint64_t ocel_udiv64(uint64_t num, uint64_t den);
 /* floor(sqrt(v)) in 32 trips.  Any v; the result is below 2^32. */
 uint32_t ocel_isqrt64(uint64_t v);
 
-/* The bits of |v|: the least n, 0..64, with |v| < 2^n. */
-int32_t ocel_bits64(int64_t v);
+/* Numbers that are taken together, at most. */
+#define OCEL_MAX_VECTOR 6
+
+/* The bits of the largest of so many numbers, 1..OCEL_MAX_VECTOR: the least n, 0..64,
+ * with every |v[i]| < 2^n. */
+int32_t ocel_bits_of(const int64_t *v, uint32_t count);
 
 /* The least e with 2^e >= n; n >= 1, 0 gives 0. */
 uint32_t ocel_ceil_log2(uint64_t n);

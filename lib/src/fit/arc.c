@@ -4,6 +4,7 @@
 #include "../base/int_math.h"
 #include "../base/q60.h"
 #include "../base/scale.h"
+#include "../base/scale_all.h"
 #include "../base/terms.h"
 
 /* The map of an offset in half Q16 px to a frame in which the ellipse is a
@@ -34,18 +35,13 @@ static rounding_t rounding_of(int64_t *r, int32_t a_px_q16) {
         {OCEL_MINUS | (MAP + 2), ROOT, OCEL_F_G21},
         {OCEL_LAST | (MAP + 3), ROOT, OCEL_F_G11},
     };
-    uint64_t most = 0U;
     rounding_t map;
-    int32_t e;
 
     r[ROOT] = ocel_sqrt_q60((uint64_t)r[OCEL_F_FLATNESS]);
     ocel_sum_terms(r, terms);
+    (void)ocel_normalise(&r[MAP], 4U, 29);
     for (uint32_t i = 0U; i < 4U; i++) { /* bound: 4 */
-        most |= ocel_abs64(r[MAP + i]);
-    }
-    e = (int32_t)ocel_clz64(most) - 35;  /* to 29 bits */
-    for (uint32_t i = 0U; i < 4U; i++) { /* bound: 4 */
-        map.g_q29[i] = (int32_t)ocel_scale_q60(r[MAP + i], e);
+        map.g_q29[i] = (int32_t)r[MAP + i];
     }
     map.shift = (int32_t)ocel_clz32((uint32_t)a_px_q16) - 46; /* -45..-30 */
     return map;

@@ -5,6 +5,8 @@
 
 #include "../base/int_math.h"
 #include "../base/q60.h"
+#include "../base/scale.h"
+#include "../base/scale_all.h"
 #include "../base/terms.h"
 
 /* Newton steps on the cubic.  In double-precision prototypes the descent from uu
@@ -68,16 +70,12 @@ static ocel_status_t reduce(const ocel_scatter_t *scatter, int64_t *m, int64_t *
     m[M_UV] = aa - cc;
     m[M_UW] = 2 * (ab + bc);
     m[M_VW] = 2 * (ab - bc);
-    for (uint32_t i = 0U; i < (uint32_t)M_COUNT; i++) { /* bound: M_COUNT */
-        m[i] = ocel_shift_round64(m[i], 2U);
-    }
+    ocel_scale_all(m, (uint32_t)M_COUNT, -2);
     trace = m[M_UU] + m[M_VV] + m[M_WW];
     if (trace >= NOTHING_Q60) {
         const int32_t up = (int32_t)ocel_clz64((uint64_t)trace) - 4;
 
-        for (uint32_t i = 0U; i < (uint32_t)M_COUNT; i++) { /* bound: M_COUNT */
-            m[i] = ocel_scale_q60(m[i], up);
-        }
+        ocel_scale_all(m, (uint32_t)M_COUNT, up);
         *down = -up;
         status = OCEL_OK;
     }
@@ -227,7 +225,6 @@ static ocel_status_t find_linear(const ocel_scatter_t *scatter, ocel_solution_t 
         const ocel_scaled_t inverse = ocel_scatter_inverse(scatter, row);
         int32_t up = -10; /* from the projection's 2^-2 to Q48 */
         int64_t rest = projection_q58(scatter, quadratic_q60, row);
-        int64_t product;
 
         if (row == (uint32_t)OCEL_S_X) {
             rest =
@@ -235,12 +232,12 @@ static ocel_status_t find_linear(const ocel_scatter_t *scatter, ocel_solution_t 
                 ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_X)], q[OCEL_F_E_Q48]);
             up = 0;
         }
-        product = ocel_mul_q60(rest, inverse.y_q60);
+        *linear = ocel_mul_q60(rest, inverse.y_q60);
         up += inverse.e;
-        small = (ocel_bits64(product) + up) <= LINEAR_BITS; /* so that it can be shifted */
+        small = (ocel_bits_of(linear, 1U) + up) <= LINEAR_BITS; /* so that it can be shifted */
         if (small) {
-            *linear = -ocel_scale_q60(product, up);
-            small = ocel_bits64(*linear) <= LINEAR_BITS;
+            *linear = -ocel_scale_q60(*linear, up);
+            small = ocel_bits_of(linear, 1U) <= LINEAR_BITS;
         }
     }
     return small ? OCEL_OK : OCEL_NOT_AN_ELLIPSE;

@@ -6,12 +6,13 @@
 #include "../base/int_math.h"
 #include "../base/q60.h"
 #include "../base/scale.h"
+#include "../base/scale_all.h"
 #include "../base/terms.h"
 #include "../base/trig.h"
 
 /* A centre farther than 2^8 half-sides from the points' box is none: arcs
  * under about 15 degrees of a circle. */
-#define CENTRE_MAX_Q48 ((int64_t)0x100000000000000)
+#define CENTRE_BITS 56 /* of Q48 */
 
 /* A squared size below 2^-44 of the points' spread is what rounding leaves of
  * zero: an imaginary ellipse. */
@@ -87,15 +88,12 @@ static bool find_centre(int64_t *r, int32_t root_e) {
         {OCEL_LAST | CY_Q48, A2, A0},
     };
     const int32_t e = 2 * root_e;
-    const uint64_t most = (uint64_t)CENTRE_MAX_Q48 >> (uint32_t)((e > 0) ? e : 0);
-    bool near = true;
+    int32_t bits;
 
     ocel_sum_terms(r, terms);
-    for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
-        near = near && (ocel_abs64(r[CX_Q48 + i]) < most);
-        r[CX_Q48 + i] = ocel_scale_q60(r[CX_Q48 + i], e);
-    }
-    return near;
+    bits = ocel_bits_of(&r[CX_Q48], 2U);
+    ocel_scale_all(&r[CX_Q48], 2U, e);
+    return (bits + ((e > 0) ? e : 0)) <= CENTRE_BITS;
 }
 
 /* The points' moments about the centre, and the level: the mean of the quadratic form
@@ -118,11 +116,9 @@ static int32_t find_level(int64_t *r) {
 
     r[A0] = ocel_shift_round64(r[OCEL_F_X], 12U) - r[CX_Q48];
     r[A1] = ocel_shift_round64(r[OCEL_F_Y], 12U) - r[CY_Q48];
-    reach = ocel_bits64(ocel_signed64(ocel_abs64(r[A0]) | ocel_abs64(r[A1]))) - 48;
+    reach = ocel_bits_of(&r[A0], 2U) - 48;
     reach = (reach > 0) ? reach : 0;
-    for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
-        r[A0 + i] = ocel_scale_q60(r[A0 + i], 12 - reach);
-    }
+    ocel_scale_all(&r[A0], 2U, 12 - reach);
     ocel_sum_terms(r, products);
     for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 */
         r[MXX + i] =
@@ -135,21 +131,14 @@ static int32_t find_level(int64_t *r) {
 
 /* value * 2^e as an int32, 0 for a negative value; at 2^30 and beyond (16384 px
  * in Q16) INT32_MAX, which the caller takes as out of range. */
-static int32_t to_int32(int64_t value, int32_t e) {
+static int32_t to_int32(const int64_t *value, int32_t e) {
     int32_t result = 0;
 
-    if ((value > 0) && (e >= -62)) {
-        result = ((ocel_bits64(value) + e) > 30) ? INT32_MAX : (int32_t)ocel_scale_q60(value, e);
+    if ((*value > 0) && (e >= -62)) {
+        result = ((ocel_bits_of(value, 1U) + e) > 30) ? INT32_MAX
+                                                      : (int32_t)ocel_scale_q60(*value, e);
     }
     return result;
-}
-
-/* A positive value's mantissa in [2^59, 2^60) in place, and how far it was shifted up. */
-static int32_t normalise(int64_t *value_q60) {
-    const int32_t e = ocel_bits64(*value_q60) - 60;
-
-    *value_q60 = ocel_scale_q60(*value_q60, -e);
-    return e;
 }
 
 /* What of the image does not need the conic's size.
@@ -239,8 +228,8 @@ static void find_axes(int64_t *r, int32_t root_e, int32_t area_e, int32_t scale,
     r[A0] = ocel_sqrt_q60((uint64_t)r[LEVEL]);
     ocel_rsqrt_q60((uint64_t)r[A6], &r[A1], &e);
     ocel_sum_terms(r, lengths);
-    ellipse->a_px_q16 = to_int32(r[A5], scale + root_e + e);
-    ellipse->b_px_q16 = to_int32(r[A4], scale + area_e + e);
+    ellipse->a_px_q16 = to_int32(&r[A5], scale + root_e + e);
+    ellipse->b_px_q16 = to_int32(&r[A4], scale + area_e + e);
     if (ellipse->b_px_q16 > ellipse->a_px_q16) { /* a circle, rounded */
         ellipse->b_px_q16 = ellipse->a_px_q16;
     }
@@ -254,8 +243,8 @@ static int32_t rms_px_q16(int64_t *r, int32_t area_e, int32_t scale) {
 
     if ((r[SQUARE] > 0) && (r[GRADIENT] > 0)) {
         /* sqrt(s / g) = s / sqrt(s g), with both in [1/2, 1) times powers of two. */
-        const int32_t square_e = (int32_t)r[OCEL_F_ENERGY_E] + normalise(&r[SQUARE]);
-        const int32_t ratio_e = square_e - normalise(&r[GRADIENT]);
+        const int32_t square_e = (int32_t)r[OCEL_F_ENERGY_E] + ocel_normalise(&r[SQUARE], 1U, 60);
+        const int32_t ratio_e = square_e - ocel_normalise(&r[GRADIENT], 1U, 60);
         const uint32_t odd = (uint32_t)ratio_e & 1U;
         const int32_t half_e = ocel_asr32(ratio_e + (int32_t)odd, 1U);
         int32_t e;
@@ -263,7 +252,7 @@ static int32_t rms_px_q16(int64_t *r, int32_t area_e, int32_t scale) {
         r[A0] = ocel_asr64(r[SQUARE], odd);
         ocel_rsqrt_q60((uint64_t)ocel_asr64(ocel_mul_q60(r[SQUARE], r[GRADIENT]), odd), &r[A1], &e);
         ocel_sum_terms(r, &lengths[AREA]);
-        rms = to_int32(r[A4], scale + area_e + half_e + e);
+        rms = to_int32(&r[A4], scale + area_e + half_e + e);
     }
     return rms;
 }
@@ -303,7 +292,7 @@ ocel_status_t ocel_ellipse_of_conic(int64_t *r_q60, ocel_ellipse_t *ellipse) {
             map(r);
             r[G11_UPPER] = r[G11];
             r[G22_UPPER] = r[G22];
-            area_e = normalise(&r[G11_UPPER]) + normalise(&r[G22_UPPER]);
+            area_e = ocel_normalise(&r[G11_UPPER], 1U, 60) + ocel_normalise(&r[G22_UPPER], 1U, 60);
             find_axes(r, root_e, area_e, (scale + reach) - 60, ellipse);
             ellipse->rms_px_q16 = (uint32_t)rms_px_q16(r, area_e, scale - (63 + reach));
             status = (place_centre(r, ellipse) && (ellipse->a_px_q16 < INT32_MAX) &&

@@ -7,6 +7,7 @@
 #include "../base/int_math.h"
 #include "../base/q60.h"
 #include "../base/scale.h"
+#include "../base/scale_all.h"
 #include "conic.h"
 #include "scatter.h"
 
@@ -53,43 +54,24 @@ static void noise_metric(const int64_t *q60, metric_t *n) {
     const int64_t q = -ocel_mul_q60(q60[OCEL_F_G22], q60[OCEL_F_G21]);
     const int64_t r = ocel_mul_q60(q60[OCEL_F_G21], q60[OCEL_F_G21]) +
                       ocel_mul_q60(q60[OCEL_F_G11], q60[OCEL_F_G11]);
-    const int32_t e = 57 - ocel_bits64((p > r) ? p : r);
+    const int64_t larger = (p > r) ? p : r;
+    const int32_t e = 57 - ocel_bits_of(&larger, 1U);
 
     n->p = ocel_scale_q60(p, e);
     n->q = ocel_scale_q60(q, e);
     n->r = ocel_scale_q60(r, e);
 }
 
-/* Scales all of v by 2^e. */
-static void scale_vector(vector_t *v, int32_t e) {
-    uint32_t i;
-
-    for (i = 0U; i < SIZE; i++) { /* bound: SIZE */
-        v->t[i] = ocel_scale_q60(v->t[i], (e < -62) ? -62 : e);
-    }
-}
-
-/* Brings the largest coefficient to VECTOR_BITS. */
-static void normalise_vector(vector_t *v) {
-    uint64_t all = 1U;
-    uint32_t i;
-
-    for (i = 0U; i < SIZE; i++) { /* bound: SIZE */
-        all |= ocel_abs64(v->t[i]);
-    }
-    scale_vector(v, VECTOR_BITS - (64 - (int32_t)ocel_clz64(all)));
-}
-
 /* v[i] <- rest / L[i][i].  The whole vector, solved and unsolved parts alike,
  * is scaled down as far as the new element needs to stay below 2^57. */
 static void divide_element(vector_t *v, uint32_t i, int64_t rest, ocel_scaled_t inverse) {
     const int64_t product = ocel_mul_q60(rest, inverse.y_q60);
-    const int32_t over = (ocel_bits64(product) + inverse.e) - (VECTOR_BITS - 1);
+    const int32_t over = (ocel_bits_of(&product, 1U) + inverse.e) - (VECTOR_BITS - 1);
     const int32_t down = (over > 0) ? over : 0;
 
     v->t[i] = 0;
     if (down > 0) {
-        scale_vector(v, -down);
+        ocel_scale_all(v->t, SIZE, (down > 62) ? -62 : -down);
     }
     v->t[i] = ocel_scale_q60(product, inverse.e - down);
 }
@@ -115,7 +97,7 @@ static void solve(const ocel_scatter_t *scatter, vector_t *v) {
         }
         divide_element(v, i - 1U, rest, ocel_scatter_inverse(scatter, i));
     }
-    normalise_vector(v);
+    (void)ocel_normalise(v->t, SIZE, VECTOR_BITS);
 }
 
 /* Where the gradient's components, linear in (1, x, y), take their coefficients:
