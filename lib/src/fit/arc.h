@@ -14,7 +14,7 @@
 #include "solution.h"
 
 /* Sectors, 0..32 (sector.h), that the points cover as seen from the ellipse's centre, in a
- * frame in which the ellipse is a circle.  r: as ocel_ellipse_of_conic has it. */
+ * frame in which the ellipse is a circle.  r: as ocel_ellipse_of_conic leaves it. */
 uint32_t ocel_arc_sectors(const ocel_source_t *source, int64_t *r_q60,
                           const ocel_ellipse_t *ellipse);
 

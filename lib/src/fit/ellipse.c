@@ -31,31 +31,31 @@ enum {
     G22 = OCEL_F_G22,
 
     ROOT = OCEL_F_FREE, /* of 1 / flatness, without its exponent */
-    CX_Q48,             /* the centre */
+    CX_Q48,             /* the centre; in the end G times it */
     CY_Q48,
     MXX, /* the points' second moments about it, over 2 * 4^reach: each <= 1 */
     MXY,
     MYY,
-    LEVEL,     /* half of the conic's level, over 4^reach */
-    G11_UPPER, /* g11 and g22 without their exponents */
-    G22_UPPER,
-    SHAPE_XX,
-    SHAPE_XY,
-    SHAPE_YY,
+    LEVEL, /* half of the conic's level, over 4^reach */
     GRADIENT,
-    SQUARE,
-    X_PX,
-    Y_PX,
     A0, /* for a moment */
     A1,
-    A2,
+    OWN_END,
+
+    /* Where the solution has what is of no more use when these are found. */
+    SHAPE_XX = OCEL_F_D_Q48,
+    SHAPE_XY,
+    SHAPE_YY,
+    SQUARE = OCEL_F_ENERGY,
+    A2 = OCEL_F_X, /* for a moment */
     A3,
     A4,
     A5,
     A6,
-    PLACES
+    G11_UPPER = MXX, /* g11 and g22 without their exponents */
+    G22_UPPER
 };
-typedef char ocel_assert_work_t[((uint32_t)PLACES <= OCEL_F_WORK_COUNT) ? 1 : -1];
+typedef char ocel_assert_own_t[(OWN_END <= OCEL_F_PLACES) ? 1 : -1];
 
 /* The conic's flatness as every affine frame sees it: 4AC - B^2 over (A + C)^2
  * in the frame in which the points do not correlate.  An arc of a turn's
@@ -81,11 +81,11 @@ static bool find_centre(int64_t *r, int32_t root_e) {
     static const ocel_term_t terms[] = {
         {A0, ROOT, ROOT},
         {OCEL_GOES_ON, W, E},
-        {OCEL_MINUS | A1, FORM_YY, D},
+        {OCEL_MINUS | CX_Q48, FORM_YY, D},
         {OCEL_GOES_ON, W, D},
-        {OCEL_MINUS | A2, FORM_XX, E},
-        {CX_Q48, A1, A0},
-        {OCEL_LAST | CY_Q48, A2, A0},
+        {OCEL_MINUS | CY_Q48, FORM_XX, E},
+        {CX_Q48, CX_Q48, A0},
+        {OCEL_LAST | CY_Q48, CY_Q48, A0},
     };
     const int32_t e = 2 * root_e;
     int32_t bits;
@@ -135,8 +135,8 @@ static int32_t to_int32(const int64_t *value, int32_t e) {
     int32_t result = 0;
 
     if ((*value > 0) && (e >= -62)) {
-        result = ((ocel_bits_of(value, 1U) + e) > 30) ? INT32_MAX
-                                                      : (int32_t)ocel_scale_q60(*value, e);
+        result =
+            ((ocel_bits_of(value, 1U) + e) > 30) ? INT32_MAX : (int32_t)ocel_scale_q60(*value, e);
     }
     return result;
 }
@@ -191,9 +191,9 @@ static void map(int64_t *r) {
         {OCEL_GOES_ON, A3, A1},
         {GRADIENT, A4, G11},
         {SQUARE, OCEL_F_ENERGY, OCEL_F_WEIGHT},
-        {X_PX, G11, CX_Q48},
         {OCEL_GOES_ON, G21, CX_Q48},
-        {OCEL_LAST | Y_PX, G22, CY_Q48},
+        {CY_Q48, G22, CY_Q48},
+        {OCEL_LAST | CX_Q48, G11, CX_Q48},
     };
 
     r[A0] = -r[W];
@@ -265,7 +265,7 @@ static bool place_centre(const int64_t *r, ocel_ellipse_t *ellipse) {
 
     for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
         const int64_t c_px_q24 = r[(uint32_t)OCEL_F_X0_Q24 + i] +
-                                 ocel_scale_q60(r[X_PX + i], (int32_t)r[OCEL_F_SCALE_LOG2] - 41);
+                                 ocel_scale_q60(r[CX_Q48 + i], (int32_t)r[OCEL_F_SCALE_LOG2] - 41);
         const int64_t rounded = ocel_shift_round64(c_px_q24, 8U);
 
         c_px_q16[i] = (int32_t)rounded;

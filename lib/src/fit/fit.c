@@ -42,20 +42,19 @@ static ocel_status_t check(bool present, size_t count, const ocel_fit_options_t 
 }
 
 /* Moments of the points as they are: by exact sums where those fit. */
-static ocel_status_t moments_of(const ocel_source_t *source, ocel_moments_t *moments,
-                                ocel_solution_t *solution) {
+static ocel_status_t moments_of(const ocel_source_t *source, ocel_solution_t *solution) {
     ocel_status_t status = OCEL_OK;
     bool exact = false;
 
     if (source->points == NULL) {
-        exact = ocel_moments_of_cracks(source->cracks, source->count, moments, solution);
+        exact = ocel_moments_of_cracks(source->cracks, source->count, solution);
     }
     if (!exact) {
         /* Not in the eye, unless it is large: there the squares sum to less than 2^31. */
         /* at most: 2 in a call of ocel_fit_points or ocel_fit_cracks;
          * 2 * ((OCEL_MAX_CRACKS * (OCEL_MAX_WIDTH * OCEL_MAX_WIDTH +
          * OCEL_MAX_HEIGHT * OCEL_MAX_HEIGHT)) / 536870912) in a call of ocel_eye_refit */
-        status = ocel_moments_of_source(source, false, moments, solution);
+        status = ocel_moments_of_source(source, false, solution);
     }
     return status;
 }
@@ -63,12 +62,11 @@ static ocel_status_t moments_of(const ocel_source_t *source, ocel_moments_t *mom
 /* B2AC, and when `auto_perturb` whether its solution is unstable. */
 static ocel_status_t direct(const ocel_source_t *source, bool auto_perturb,
                             ocel_solution_t *solution, bool *unstable) {
-    ocel_moments_t moments;
     int64_t eigenvalue = 0;
-    ocel_status_t status = moments_of(source, &moments, solution);
+    ocel_status_t status = moments_of(source, solution);
 
     if (status == OCEL_OK) {
-        status = ocel_fit_direct(&moments, solution, &eigenvalue);
+        status = ocel_fit_direct(solution, &eigenvalue);
         *unstable = auto_perturb && (eigenvalue < UNSTABLE_Q60);
     }
     return status;
@@ -76,22 +74,20 @@ static ocel_status_t direct(const ocel_source_t *source, bool auto_perturb,
 
 /* The LCSE step: the same fit on points perturbed in Maini's frame. */
 static ocel_status_t perturbed(const ocel_source_t *source, ocel_solution_t *solution) {
-    ocel_moments_t moments;
     int64_t eigenvalue;
-    ocel_status_t status = ocel_moments_of_source(source, true, &moments, solution);
+    ocel_status_t status = ocel_moments_of_source(source, true, solution);
 
     if (status == OCEL_OK) {
-        status = ocel_fit_direct(&moments, solution, &eigenvalue);
+        status = ocel_fit_direct(solution, &eigenvalue);
     }
     return status;
 }
 
 static ocel_status_t hyper(const ocel_source_t *source, ocel_solution_t *solution) {
-    ocel_moments_t moments;
-    ocel_status_t status = moments_of(source, &moments, solution);
+    ocel_status_t status = moments_of(source, solution);
 
     if (status == OCEL_OK) {
-        status = ocel_conic_hyper(&moments, solution);
+        status = ocel_conic_hyper(solution);
     }
     return status;
 }

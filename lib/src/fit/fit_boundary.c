@@ -24,12 +24,11 @@ ocel_status_t ocel_fit_boundary(const ocel_crack_t *cracks, size_t count, bool c
     } else if (count > (size_t)OCEL_MAX_FIT_POINTS) {
         status = OCEL_OVERFLOW;
     } else {
-        ocel_moments_t moments;
         ocel_solution_t solution;
         int64_t eigenvalue;
 
-        status = ocel_moments_of_cracks(cracks, count, &moments, &solution)
-                     ? ocel_fit_direct(&moments, &solution, &eigenvalue)
+        status = ocel_moments_of_cracks(cracks, count, &solution)
+                     ? ocel_fit_direct(&solution, &eigenvalue)
                      : OCEL_OVERFLOW;
         if (status == OCEL_OK) {
             status = ocel_fit_finish(&solution, &source, closed, ellipse);

@@ -27,12 +27,11 @@ static bool is_trusted(const ocel_ellipse_t *ellipse, bool closed) {
                   : (ellipse->arc_coverage_q16 >= TRUSTED_ARC_Q16);
 }
 
-ocel_status_t ocel_fit_finish(const ocel_solution_t *solution, const ocel_source_t *source,
-                              bool closed, ocel_ellipse_t *ellipse) {
-    int64_t r[OCEL_F_WORK_COUNT];
+ocel_status_t ocel_fit_finish(ocel_solution_t *solution, const ocel_source_t *source, bool closed,
+                              ocel_ellipse_t *ellipse) {
+    int64_t *const r = solution->q60;
     ocel_status_t status;
 
-    (void)memcpy(r, solution->q60, sizeof(solution->q60));
     r[OCEL_F_FORM_XX] = OCEL_Q60_ONE + r[OCEL_F_V];
     r[OCEL_F_FORM_YY] = OCEL_Q60_ONE - r[OCEL_F_V];
     status = ocel_ellipse_of_conic(r, ellipse);
@@ -51,13 +50,12 @@ ocel_status_t ocel_fit_finish(const ocel_solution_t *solution, const ocel_source
     return status;
 }
 
-ocel_status_t ocel_fit_direct(const ocel_moments_t *moments, ocel_solution_t *solution,
-                              int64_t *eigenvalue_q60) {
+ocel_status_t ocel_fit_direct(ocel_solution_t *solution, int64_t *eigenvalue_q60) {
     ocel_status_t status = OCEL_DEGENERATE;
     ocel_scatter_t scatter;
 
     *eigenvalue_q60 = 0;
-    if (ocel_scatter_reduce(moments, &scatter, solution)) {
+    if (ocel_scatter_reduce(solution, &scatter)) {
         status = ocel_conic_b2ac(&scatter, solution, eigenvalue_q60);
     }
     return status;

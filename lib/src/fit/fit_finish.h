@@ -17,11 +17,10 @@
  * unless the status is OCEL_OK or OCEL_PARTIAL: the latter for every arc under
  * 27/32 of a turn, which wants a second opinion.  `closed`: the points are a
  * whole closed boundary, so the arc need not be measured. */
-ocel_status_t ocel_fit_finish(const ocel_solution_t *solution, const ocel_source_t *source,
-                              bool closed, ocel_ellipse_t *ellipse);
+ocel_status_t ocel_fit_finish(ocel_solution_t *solution, const ocel_source_t *source, bool closed,
+                              ocel_ellipse_t *ellipse);
 
 /* B2AC on moments: the reduced scatter matrix and its conic. */
-ocel_status_t ocel_fit_direct(const ocel_moments_t *moments, ocel_solution_t *solution,
-                              int64_t *eigenvalue_q60);
+ocel_status_t ocel_fit_direct(ocel_solution_t *solution, int64_t *eigenvalue_q60);
 
 #endif

@@ -248,17 +248,17 @@ static ocel_status_t finish_conic(const ocel_scatter_t *scatter, const metric_t 
     return status;
 }
 
-ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, ocel_solution_t *solution) {
+ocel_status_t ocel_conic_hyper(ocel_solution_t *solution) {
     ocel_scatter_t scatter;
     ocel_status_t status = OCEL_DEGENERATE;
 
-    if (ocel_scatter_reduce(moments, &scatter, solution) && finish_factor(&scatter)) {
+    if (ocel_scatter_reduce(solution, &scatter) && finish_factor(&scatter)) {
         vector_t v = {{0, 0, (int64_t)0x200000000000000, 0, (int64_t)0x200000000000000}};
         metric_t n;
         uint32_t i;
 
         noise_metric(solution->q60, &n);
-        n.m_q60 = moments->m_q60;
+        n.m_q60 = &solution->q60[OCEL_F_MOMENTS];
         for (i = 0U; i < POWER_STEPS; i++) { /* bound: POWER_STEPS */
             (void)apply_metric(&n, &v);
             solve(&scatter, &v);

@@ -16,8 +16,8 @@
  * the square of the noise's variance, into Taubin's 5x5
  *   cov(xi) t = lambda N_T t,  then  mean of F = lambda (p A + q B + r C),
  * p, q, r the noise's covariance in the frame (DESIGN.md derives it).
- * Wants the frame of `solution`, writes its conic and where the points lie.
+ * Wants the frame and the moments of `solution`, writes its conic and where the points lie.
  * OCEL_OK, OCEL_DEGENERATE, OCEL_NOT_AN_ELLIPSE. */
-ocel_status_t ocel_conic_hyper(const ocel_moments_t *moments, ocel_solution_t *solution);
+ocel_status_t ocel_conic_hyper(ocel_solution_t *solution);
 
 #endif

@@ -15,7 +15,8 @@
 
 #include "solution.h"
 
-/* Places of the moments: OCEL_M_XY is the mean of x*y, and so on. */
+/* Places of the moments among a solution's: OCEL_M_XY is the mean of x*y, and so on; sums
+ * divided by 2^ceil(log2 n), Q60, |.| <= 1.01. */
 enum {
     OCEL_M_1 = 0,
     OCEL_M_X,
@@ -34,10 +35,7 @@ enum {
     OCEL_M_YYYY,
     OCEL_M_COUNT
 };
-
-typedef struct {
-    int64_t m_q60[OCEL_M_COUNT]; /* sums divided by 2^ceil(log2 n): |.| <= 1.01 */
-} ocel_moments_t;
+typedef char ocel_assert_moments_t[((OCEL_F_MOMENTS + OCEL_M_COUNT) <= OCEL_F_PLACES) ? 1 : -1];
 
 /* Points to be read, of one kind or the other. */
 typedef struct {
@@ -66,20 +64,19 @@ static inline ocel_pair_t ocel_source_px_q16(const ocel_source_t *source, size_t
     return p;
 }
 
-/* Moments of cracks by exact 64-bit sums about a point amid them, in one pass,
+/* Frame and moments of cracks by exact 64-bit sums about a point amid them, in one pass,
  * each axis scaled by a power of two to a mean fourth power of at most 1.
  * Maini's box would cost a second pass and, the fits being affine invariant,
  * change nothing.
  * At least one crack.  False, and nothing usable, when the sums might not fit: the
  * squared offsets from the point midway between the first and the middle crack sum to
  * 2^31 half pixels squared or more (discs of R > 512 px). */
-bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_moments_t *moments,
-                            ocel_solution_t *solution);
+bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_solution_t *solution);
 
-/* Moments of any points by 128-bit sums, sheared so that x and y do not
+/* Frame and moments of any points by 128-bit sums, sheared so that x and y do not
  * correlate; `perturb` applies the LCSE perturbation in Maini's frame instead.
  * OCEL_OK, OCEL_DEGENERATE (no width or no height), OCEL_OUT_OF_RANGE. */
 ocel_status_t ocel_moments_of_source(const ocel_source_t *source, bool perturb,
-                                     ocel_moments_t *moments, ocel_solution_t *solution);
+                                     ocel_solution_t *solution);
 
 #endif

@@ -100,13 +100,12 @@ static uint32_t exponent(int64_t sum_4, uint32_t en) {
     return (bits > en) ? (((bits - en) + 3U) / 4U) : 0U;
 }
 
-bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_moments_t *moments,
-                            ocel_solution_t *solution) {
+bool ocel_moments_of_cracks(const ocel_crack_t *cracks, size_t count, ocel_solution_t *solution) {
     const ocel_crack_t *const first = &cracks[0];
     const ocel_crack_t *const middle = &cracks[count / 2U];
     const int32_t x0 = ocel_asr32((int32_t)first->x_hpx + middle->x_hpx, 1U);
     const int32_t y0 = ocel_asr32((int32_t)first->y_hpx + middle->y_hpx, 1U);
-    int64_t *const sum = moments->m_q60;
+    int64_t *const sum = &solution->q60[OCEL_F_MOMENTS];
     bool exact;
 
     sum_cracks(cracks, count, x0, y0, sum);

@@ -235,7 +235,7 @@ static bool within_range(const span_t *span) {
 }
 
 ocel_status_t ocel_moments_of_source(const ocel_source_t *source, bool perturb,
-                                     ocel_moments_t *moments, ocel_solution_t *solution) {
+                                     ocel_solution_t *solution) {
     const span_t span = span_of_source(source);
     ocel_status_t status = OCEL_OK;
 
@@ -257,7 +257,7 @@ ocel_status_t ocel_moments_of_source(const ocel_source_t *source, bool perturb,
              * OCEL_MAX_HEIGHT * OCEL_MAX_HEIGHT)) / 536870912) in a call of ocel_eye_refit */
             fill_unit(source, &normal);
         }
-        sum_source(source, &normal, moments->m_q60);
+        sum_source(source, &normal, &solution->q60[OCEL_F_MOMENTS]);
         frame_of_sides(solution, &normal);
     }
     return status;

@@ -55,8 +55,7 @@ static void read_spread(const ocel_scatter_t *scatter, ocel_solution_t *solution
     q[OCEL_F_YY] = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_Y)], weight);
 }
 
-bool ocel_scatter_reduce(const ocel_moments_t *moments, ocel_scatter_t *scatter,
-                         ocel_solution_t *solution) {
+bool ocel_scatter_reduce(ocel_solution_t *solution, ocel_scatter_t *scatter) {
     /* The moment that each product of two monomials is. */
     static const uint8_t place[TRIANGLE] = {
         OCEL_M_1,    OCEL_M_X,   OCEL_M_XX,   OCEL_M_Y,   OCEL_M_XY,   OCEL_M_YY,   OCEL_M_XX,
@@ -66,7 +65,7 @@ bool ocel_scatter_reduce(const ocel_moments_t *moments, ocel_scatter_t *scatter,
     uint32_t i;
 
     for (i = 0U; i < (uint32_t)TRIANGLE; i++) { /* bound: TRIANGLE */
-        scatter->a_q60[i] = moments->m_q60[place[i]];
+        scatter->a_q60[i] = solution->q60[OCEL_F_MOMENTS + place[i]];
     }
     (void)ocel_scatter_eliminate(scatter, (uint32_t)OCEL_S_1, 1); /* weight >= 1/2 */
     read_spread(scatter, solution);

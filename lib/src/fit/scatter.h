@@ -45,9 +45,8 @@ static inline ocel_scaled_t ocel_scatter_inverse(const ocel_scatter_t *scatter, 
  * `least_q60` (>= 1): the column depends on those before it. */
 bool ocel_scatter_eliminate(ocel_scatter_t *scatter, uint32_t k, int64_t least_q60);
 
-/* Lays the moments out as S, eliminates the constant and the linear columns,
+/* Lays a solution's moments out as S, eliminates the constant and the linear columns,
  * and writes where the points lie on the way.  False when they are collinear. */
-bool ocel_scatter_reduce(const ocel_moments_t *moments, ocel_scatter_t *scatter,
-                         ocel_solution_t *solution);
+bool ocel_scatter_reduce(ocel_solution_t *solution, ocel_scatter_t *scatter);
 
 #endif

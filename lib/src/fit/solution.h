@@ -42,18 +42,19 @@ enum {
     OCEL_F_SCALE_LOG2, /* a whole number, 17..36 */
     OCEL_F_COUNT,
 
-    /* On the way from there to the ellipse (ocel_fit_finish): the quadratic part
-     * [1+v w; w 1-v] = 2 [A B/2; B/2 C], each entry below 2. */
+    /* The points' moments (moments.h), until the conic is found. */
+    OCEL_F_MOMENTS = OCEL_F_COUNT,
+    OCEL_F_PLACES = OCEL_F_MOMENTS + 15,
+
+    /* In their place then, on the way to the ellipse: the quadratic part
+     * [1+v w; w 1-v] = 2 [A B/2; B/2 C], each entry below 2, and each step's own. */
     OCEL_F_FORM_XX = OCEL_F_COUNT,
     OCEL_F_FORM_YY,
-    OCEL_F_FREE /* from here on each step's own */
+    OCEL_F_FREE
 };
 
-/* As many numbers as the step with the most has. */
-#define OCEL_F_WORK_COUNT ((uint32_t)OCEL_F_FREE + 24U)
-
 typedef struct {
-    int64_t q60[OCEL_F_COUNT];
+    int64_t q60[OCEL_F_PLACES];
 } ocel_solution_t;
 
 #endif
