@@ -53,22 +53,28 @@ static int64_t mapped(const int32_t *row_q29, int32_t dx, int32_t dy, int32_t sh
     return ocel_scale_q60(((int64_t)row_q29[0] * dx) + ((int64_t)row_q29[1] * dy), shift);
 }
 
+/* floor((p - c) / 2), without the 33rd bit that p - c may need. */
+static int32_t half_offset(int32_t p, int32_t c) {
+    return (ocel_asr32(p, 1U) - ocel_asr32(c, 1U)) - (int32_t)(~(uint32_t)p & (uint32_t)c & 1U);
+}
+
 /* One bit for each sector that holds a point. */
 static uint32_t sectors_hit(const ocel_source_t *source, const rounding_t *map,
                             const ocel_ellipse_t *ellipse) {
     uint32_t hit = 0U;
-    size_t i;
+    size_t i = 0U;
 
     /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_end or
      * ocel_eye_refit */
-    for (i = 0U; i < source->count; i++) {
+    do {
         const ocel_pair_t p = ocel_source_px_q16(source, i);
-        const int32_t dx = (int32_t)ocel_asr64(p.x - ellipse->cx_px_q16, 1U);
-        const int32_t dy = (int32_t)ocel_asr64(p.y - ellipse->cy_px_q16, 1U);
+        const int32_t dx = half_offset((int32_t)p.x, ellipse->cx_px_q16);
+        const int32_t dy = half_offset((int32_t)p.y, ellipse->cy_px_q16);
 
         hit |= 1U << ocel_sector_of(mapped(&map->g_q29[0], dx, dy, map->shift),
                                     mapped(&map->g_q29[2], dx, dy, map->shift));
-    }
+        i++;
+    } while (i < source->count);
     return hit;
 }
 

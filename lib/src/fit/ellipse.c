@@ -18,6 +18,8 @@
  * zero: an imaginary ellipse. */
 #define NOTHING_Q60 ((int64_t)0x10000)
 
+#define EIGHTH_Q60 ((int64_t)0x200000000000000)
+
 /* What is found here, after the solution and its form. */
 enum {
     V = OCEL_F_V,
@@ -165,7 +167,10 @@ static void map(int64_t *r) {
         {SHAPE_XY, A3, G22},
         {OCEL_GOES_ON, A4, G21},
         {SHAPE_YY, A5, G22},
-        /* form M */
+        /* M over 8, and form M */
+        {MXX, MXX, A6},
+        {MXY, MXY, A6},
+        {MYY, MYY, A6},
         {OCEL_GOES_ON, FORM_XX, MXX},
         {A2, W, MXY},
         {OCEL_GOES_ON, FORM_XX, MXY},
@@ -198,9 +203,7 @@ static void map(int64_t *r) {
 
     r[A0] = -r[W];
     r[A1] = -r[G21];
-    for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 */
-        r[MXX + i] = ocel_asr64(r[MXX + i], 3U);
-    }
+    r[A6] = EIGHTH_Q60;
     ocel_sum_terms(r, terms);
 }
 
@@ -245,12 +248,18 @@ static int32_t rms_px_q16(int64_t *r, int32_t area_e, int32_t scale) {
         /* sqrt(s / g) = s / sqrt(s g), with both in [1/2, 1) times powers of two. */
         const int32_t square_e = (int32_t)r[OCEL_F_ENERGY_E] + ocel_normalise(&r[SQUARE], 1U, 60);
         const int32_t ratio_e = square_e - ocel_normalise(&r[GRADIENT], 1U, 60);
-        const uint32_t odd = (uint32_t)ratio_e & 1U;
-        const int32_t half_e = ocel_asr32(ratio_e + (int32_t)odd, 1U);
+        const bool odd = ((uint32_t)ratio_e & 1U) != 0U;
+        const int32_t half_e = ocel_asr32(ratio_e + 1, 1U); /* rounded up */
         int32_t e;
 
-        r[A0] = ocel_asr64(r[SQUARE], odd);
-        ocel_rsqrt_q60((uint64_t)ocel_asr64(ocel_mul_q60(r[SQUARE], r[GRADIENT]), odd), &r[A1], &e);
+        int64_t product = ocel_mul_q60(r[SQUARE], r[GRADIENT]);
+
+        r[A0] = r[SQUARE];
+        if (odd) {
+            r[A0] = ocel_asr64(r[A0], 1U);
+            product = ocel_asr64(product, 1U);
+        }
+        ocel_rsqrt_q60((uint64_t)product, &r[A1], &e);
         ocel_sum_terms(r, &lengths[AREA]);
         rms = to_int32(&r[A4], scale + area_e + half_e + e);
     }
