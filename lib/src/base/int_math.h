@@ -9,6 +9,8 @@
 
 #include <stdint.h>
 
+#include "word.h"
+
 /* On the right shift of a negative value.
  *
  * C99 6.5.7 leaves it to the implementation, which has to document what it
@@ -24,6 +26,19 @@ typedef char ocel_assert_arithmetic_shift_t[((-3 >> 1) == -2) ? 1 : -1];
 /* floor(v / 2^n).  Any v; n 0..63. */
 static inline int64_t ocel_asr64(int64_t v, uint32_t n) {
     return v >> n;
+}
+
+/* floor(v / 2^n).  Any v; n 0..31: where a register has 32 bits, half the instructions of
+ * a shift by any number. */
+static inline int64_t ocel_asr64_short(int64_t v, uint32_t n) {
+#if OCEL_WORD_BITS == 64
+    return v >> n;
+#else
+    const uint32_t high = (uint32_t)((uint64_t)v >> 32U);
+    const uint32_t low = ((uint32_t)v >> n) | ((high << 1U) << (31U - n));
+
+    return (int64_t)(((uint64_t)(uint32_t)((int32_t)high >> n) << 32U) | low);
+#endif
 }
 
 /* floor(v / 2^n).  Any v; n 0..31. */

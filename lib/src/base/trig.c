@@ -9,6 +9,7 @@
 #include "int_math.h"
 #include "q60.h"
 #include "scale.h"
+#include "scale_all.h"
 
 /* Micro-rotations by atan(2^-i).  14 of them leave an angle of at most
  * atan(2^-13), so small that a division finishes it (finish_vector): a 32-trip
@@ -21,6 +22,11 @@
 
 /* 1 / (2 pi) * 2^34: radians to turns. */
 #define TURN_PER_RADIAN_Q34 ((int64_t)2734261102)
+
+/* v if sign is 0, -v if it is -1.  |v| < 2^63. */
+static int64_t negate_if(int64_t v, int64_t sign) {
+    return (v ^ sign) - sign;
+}
 
 /* A vector on its way to the +x axis, and the angle it has turned so far. */
 typedef struct {
@@ -44,8 +50,8 @@ static void cordic_vector(cordic_t *v) {
     int64_t turn_q48 = 0;
 
     for (uint32_t i = 0U; i < CORDIC_TRIPS; i++) { /* bound: CORDIC_TRIPS = 14 */
-        const int64_t dx = ocel_asr64(y, i);
-        const int64_t dy = ocel_asr64(x, i);
+        const int64_t dx = ocel_asr64_short(y, i);
+        const int64_t dy = ocel_asr64_short(x, i);
 
         if (y >= 0) {
             x += dx;
@@ -76,36 +82,29 @@ static void finish_vector(cordic_t *v) {
 
     ocel_recip_short((uint64_t)v->x, &inverse_q31, &e);
     down = 31 - e;
-    t_q43 = ocel_asr64(y_short * (int64_t)inverse_q31, (uint32_t)down);
+    t_q43 = ocel_asr64_short(y_short * (int64_t)inverse_q31, (uint32_t)down);
     v->x += ocel_asr64(y_short * t_q43, 43U - 17U + 1U);
     v->turn_q48 += ocel_asr64(t_q43 * TURN_PER_RADIAN_Q34, 43U + 34U - 48U);
 }
 
-/* v if sign is 0, -v if it is -1.  |v| < 2^63. */
-static int64_t negate_if(int64_t v, int64_t sign) {
-    return (v ^ sign) - sign;
-}
-
 void ocel_polar(int64_t x, int64_t y, int64_t *magnitude, uint32_t *turn_q32) {
-    const uint64_t spread = ocel_abs64(x) | ocel_abs64(y);
-
-    if (spread == 0U) {
+    if ((x == 0) && (y == 0)) {
         *magnitude = 0;
         *turn_q32 = 0U;
     } else {
         /* The larger coordinate goes to [2^58, 2^59): small vectors are then
-         * as exact as large ones.  spread <= 2^61 - 1, so clz is 3..63. */
-        const int32_t up = (int32_t)ocel_clz64(spread) - 5;
+         * as exact as large ones. */
+        int64_t xy[2] = {x, y};
+        const int32_t down = ocel_normalise(xy, 2U, 59);
         /* CORDIC reaches +-99.9 degrees: the left half plane is turned by half
          * a turn first. */
         const int64_t flip = ocel_sign64(x);
         const uint32_t half_turn = (uint32_t)flip & 0x80000000U;
-        cordic_t v = {negate_if(ocel_scale_q60(x, up), flip),
-                      negate_if(ocel_scale_q60(y, up), flip), 0};
+        cordic_t v = {negate_if(xy[0], flip), negate_if(xy[1], flip), 0};
 
         cordic_vector(&v);
         finish_vector(&v);
-        *magnitude = ocel_scale_q60(ocel_mul_q60(v.x, CORDIC_GAIN_Q60), -up);
+        *magnitude = ocel_scale_q60(ocel_mul_q60(v.x, CORDIC_GAIN_Q60), down);
         *turn_q32 =
             (uint32_t)((uint64_t)ocel_shift_round64(v.turn_q48, 16U) & 0xFFFFFFFFU) + half_turn;
     }
