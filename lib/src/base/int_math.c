@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reciprocal, 64-bit division and square root in a fixed number of trips,
+ * 64-bit division and square root in a fixed number of trips,
  * whatever the operands.
  */
 #include "int_math.h"
@@ -8,53 +8,28 @@
 #define DIVISION_TRIPS 3U /* 27 bits of the quotient each */
 #define ROOT_TRIPS 32U    /* bits of the root: half of those of a uint64_t */
 
-#define TWO_Q62 ((uint64_t)1U << 63U)
-
-/* One 32-bit Newton step of the reciprocal.  m_q31 in [2^31, 2^32) is [1, 2),
- * y_q31 within 6 % of 1/m.  m y is within 6 % of 2^62, so 2 - m y fits Q31 in
- * 32 bits; y d < 1.06 * 2^62.  The step, y (2 - m y), turns a relative error d
- * into -d^2: the result is at most 1/m before rounding, so at most 2^31. */
-static uint32_t recip_step(uint32_t m_q31, uint32_t y_q31) {
-    const uint64_t product_q62 = (uint64_t)m_q31 * y_q31;
-    const uint32_t d_q31 = (uint32_t)((TWO_Q62 - product_q62) >> 31U);
-
-    return (uint32_t)((((uint64_t)y_q31 * d_q31) + ((uint64_t)1U << 30U)) >> 31U);
-}
-
-/* 1/m in Q31 for m_q31 in [2^31, 2^32).  Start: the linear minimax
- * 24/17 - (8/17) m, relative error 1/17; the steps square it to 2^-8.1,
- * 2^-16.3, 2^-32.7, below the roundings of m, d and y: 2^-29.8 together. */
-uint32_t ocel_recip32(uint32_t m_q31) {
-    uint32_t y_q31 = 3031741621U - (uint32_t)(((uint64_t)m_q31 * 2021161080U) >> 32U);
-
-    y_q31 = recip_step(m_q31, y_q31);
-    y_q31 = recip_step(m_q31, y_q31);
-    return recip_step(m_q31, y_q31);
-}
-
 /* Long division with digits from a reciprocal.  With den = m 2^-shift, m in
  * [2^63, 2^64), and y = 1/m in Q31, a digit is rest * y / 2^(94 - shift).
- * ocel_recip32 is good to 2^-29, at most 4 LSB; y is made 4 LSB smaller, so
+ * ocel_recip32 is good to 2^-29, at most 4 LSB; y, here in Q32, is made 4 LSB of Q31 smaller, so
  * it is below 1/m by a fraction of less than 2^-27.4, and no digit is too
  * large: rest never goes below 0.  One trip leaves
  *     rest' < 2^-27.4 rest + den,
  * three leave less than 2^-18 + (1 + 2^-27) den from any 64-bit num: at most
- * one den is left to subtract.  The scaled product is below 2^95 / 2^31. */
+ * one den is left to subtract.  The product is below 2^96 / 2^32. */
 uint64_t ocel_udiv64(uint64_t num, uint64_t den) {
     uint64_t quotient = UINT64_MAX;
 
     if (den != 0U) {
         const uint32_t shift = ocel_clz64(den);
-        const uint64_t y_q31 = ocel_recip32((uint32_t)((den << shift) >> 32U)) - 4U;
+        const uint32_t y_q32 = 2U * (ocel_recip32((uint32_t)((den << shift) >> 32U)) - 4U);
         const uint32_t down = 63U - shift;
         uint64_t rest = num;
 
         quotient = 0U;
         for (uint32_t trip = 0U; trip < DIVISION_TRIPS; trip++) { /* bound: DIVISION_TRIPS = 3 */
-            const uint64_t high = (rest >> 32U) * y_q31;
-            const uint64_t low = (rest & 0xFFFFFFFFU) * y_q31;
-            const uint64_t product_q31 = (high << 1U) + (low >> 31U);
-            const uint64_t digit = product_q31 >> down;
+            const uint64_t high = (uint64_t)(uint32_t)(rest >> 32U) * y_q32;
+            const uint64_t low = (uint64_t)(uint32_t)(rest & 0xFFFFFFFFU) * y_q32;
+            const uint64_t digit = (high + (low >> 32U)) >> down;
 
             quotient += digit;
             rest -= digit * den;
