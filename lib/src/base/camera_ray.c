@@ -26,6 +26,11 @@ static bool is_coordinate(int64_t v_px_q16) {
     return ocel_abs64(v_px_q16) <= (uint64_t)COORDINATE_MAX_Q16;
 }
 
+/* |v| <= most, most up to 2^30: what is below -most wraps to beyond the span. */
+static bool is_within(int32_t v, uint32_t most) {
+    return ((uint32_t)v + most) <= (2U * most);
+}
+
 /* One axis of the image; false when its intrinsics are out of range, or no
  * coordinate lies both on the side (a pixel covers +-0.5) and within 80 degrees,
  * f tan 80 < 2^33, of the axis.  f / 2^14 is at most 1 in Q60 and its inverse
@@ -48,7 +53,7 @@ static bool init_axis(ocel_camera_axis_t *axis, int32_t f_px_q16, int32_t c_px_q
     ocel_recip_q60((uint64_t)f_px_q16 << 30U, &y_q60, &e);
     axis->inverse_f_q60 = ocel_scale_q60(y_q60, e - 14);
     return (first <= last) && (f_px_q16 >= FOCAL_MIN_Q16) && (f_px_q16 <= FOCAL_MAX_Q16) &&
-           is_coordinate(c_px_q16) && (side_px <= (uint16_t)OCEL_MAX_COORDINATE_PX);
+           is_within(c_px_q16, COORDINATE_MAX_Q16) && (side_px <= (uint16_t)OCEL_MAX_COORDINATE_PX);
 }
 
 /* False when a coefficient is out of range. */
@@ -57,7 +62,7 @@ static bool init_lens(ocel_camera_t *camera, const ocel_intrinsics_t *in) {
     bool valid = true;
 
     for (uint32_t i = 0U; i < 5U; i++) { /* bound: 5 */
-        valid = valid && (ocel_abs64(k_q24[i]) <= (uint64_t)COEFFICIENT_MAX_Q24);
+        valid = valid && is_within(k_q24[i], COEFFICIENT_MAX_Q24);
         camera->distorted = camera->distorted || (k_q24[i] != 0);
     }
     if (valid) {
@@ -130,10 +135,21 @@ bool ocel_camera_normalise(const ocel_camera_t *camera, int32_t x_px_q16, int32_
 
 bool ocel_camera_normalise_beyond(const ocel_camera_t *camera, const int64_t pixel_q16[2],
                                   int32_t xy_q28[2]) {
-    int64_t slopes_q28[2] = {slope_q28(&camera->axis[0], pixel_q16[0]),
-                             slope_q28(&camera->axis[1], pixel_q16[1])};
+    int64_t slopes_q28[2];
+    bool seen = true;
 
-    return ocel_lens_within(slopes_q28, OCEL_TAN2_80_Q56) && finish(camera, slopes_q28, xy_q28);
+    for (uint32_t i = 0U; i < 2U; i++) { /* bound: 2 */
+        slopes_q28[i] = slope_q28(&camera->axis[i], pixel_q16[i]);
+    }
+    if (camera->distorted) { /* which takes slopes within 80 degrees only, too */
+        seen = ocel_lens_unbend(&camera->intrinsics, slopes_q28);
+    }
+    seen = seen && ocel_lens_within(slopes_q28, camera->reach_q56);
+    if (seen) {
+        xy_q28[0] = (int32_t)slopes_q28[0];
+        xy_q28[1] = (int32_t)slopes_q28[1];
+    }
+    return seen;
 }
 
 /* The square is 1 to 33.2, in Q56 at least 1/16 of 2^60, so e is 0..3.  Slopes in Q58

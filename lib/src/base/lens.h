@@ -10,19 +10,13 @@
 
 #include <ocellus/camera.h>
 
-#include "int_math.h"
-
 /* 80 degrees off the axis: the tangent (rounded down), and its square. */
 #define OCEL_TAN_80_Q28 1522373121
 #define OCEL_TAN2_80_Q56 ((int64_t)OCEL_TAN_80_Q28 * OCEL_TAN_80_Q28)
 
 /* True when the slopes' squares sum to `reach_q56` at most; any slopes.  The squares
  * are taken only of slopes within 80 degrees, which makes each 2^61.1 at most. */
-static inline bool ocel_lens_within(const int64_t xy_q28[2], int64_t reach_q56) {
-    return (ocel_abs64(xy_q28[0]) <= (uint64_t)OCEL_TAN_80_Q28) &&
-           (ocel_abs64(xy_q28[1]) <= (uint64_t)OCEL_TAN_80_Q28) &&
-           (((xy_q28[0] * xy_q28[0]) + (xy_q28[1] * xy_q28[1])) <= reach_q56);
-}
+bool ocel_lens_within(const int64_t xy_q28[2], int64_t reach_q56);
 
 /* The square of the largest slope up to which the radial map rises, and so can
  * be undone; OCEL_TAN2_80_Q56 when it never folds. */

@@ -15,20 +15,14 @@ static ocel_status_t as_clipped(ocel_status_t status) {
     return unsure ? OCEL_CLIPPED : status;
 }
 
-ocel_status_t ocel_eye_cone(const ocel_eye_t *eye, const ocel_camera_t *camera,
-                            const ocel_detection_t *detection, ocel_cone_t *cone) {
+/* The cone of a frame in which something was seen. */
+static ocel_status_t cone_of(const ocel_eye_t *eye, const ocel_camera_t *camera,
+                             const ocel_detection_t *detection, ocel_cone_t *cone) {
     size_t count = 0U;
     const ocel_crack_t *cracks = ocel_eye_boundary(eye, &count);
     ocel_status_t status = OCEL_BAD_ORDER;
 
-    if (cone != NULL) {
-        (void)memset(cone, 0, sizeof(*cone));
-    }
-    if ((eye == NULL) || (camera == NULL) || (detection == NULL) || (cone == NULL)) {
-        status = OCEL_NULL_ARGUMENT;
-    } else if ((detection->status == OCEL_NOT_SEEN) || (detection->status == OCEL_OVERFLOW)) {
-        status = detection->status;
-    } else if (cracks != NULL) {
+    if (cracks != NULL) {
         status = ocel_cone_fit_cracks(camera, cracks, count, cone);
         if (detection->blob.touches_edge) {
             status = as_clipped(status);
@@ -37,6 +31,22 @@ ocel_status_t ocel_eye_cone(const ocel_eye_t *eye, const ocel_camera_t *camera,
         status = OCEL_CLIPPED; /* the image is full of it */
     } else {
         /* There is no boundary. */
+    }
+    return status;
+}
+
+ocel_status_t ocel_eye_cone(const ocel_eye_t *eye, const ocel_camera_t *camera,
+                            const ocel_detection_t *detection, ocel_cone_t *cone) {
+    ocel_status_t status = OCEL_NULL_ARGUMENT;
+
+    if (cone != NULL) {
+        (void)memset(cone, 0, sizeof(*cone));
+    }
+    if ((eye != NULL) && (camera != NULL) && (detection != NULL) && (cone != NULL)) {
+        status = detection->status;
+        if ((status != OCEL_NOT_SEEN) && (status != OCEL_OVERFLOW)) {
+            status = cone_of(eye, camera, detection, cone);
+        }
     }
     return status;
 }
