@@ -65,7 +65,7 @@ int32_t ocel_bits_of(const int64_t *v, uint32_t count) {
     uint64_t all = 0U;
     uint32_t i = 0U;
 
-    do { /* bound: OCEL_MAX_VECTOR */
+    do { /* bound: OCEL_MAX_VECTOR; 2 each time in a call of ocel_polar */
         all |= ocel_abs64(v[i]);
         i++;
     } while (i < count);

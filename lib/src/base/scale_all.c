@@ -8,7 +8,8 @@
 #include "scale.h"
 
 void ocel_scale_all(int64_t *v, uint32_t count, int32_t e) {
-    for (uint32_t i = 0U; i < count; i++) { /* bound: OCEL_MAX_VECTOR */
+    /* bound: OCEL_MAX_VECTOR; 2 each time in a call of ocel_polar */
+    for (uint32_t i = 0U; i < count; i++) {
         v[i] = ocel_scale_q60(v[i], e);
     }
 }

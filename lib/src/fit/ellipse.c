@@ -57,7 +57,7 @@ enum {
     G11_UPPER = MXX, /* g11 and g22 without their exponents */
     G22_UPPER
 };
-typedef char ocel_assert_own_t[(OWN_END <= OCEL_F_PLACES) ? 1 : -1];
+typedef char ocel_assert_own_t[((uint32_t)OWN_END <= (uint32_t)OCEL_F_PLACES) ? 1 : -1];
 
 /* The conic's flatness as every affine frame sees it: 4AC - B^2 over (A + C)^2
  * in the frame in which the points do not correlate.  An arc of a turn's

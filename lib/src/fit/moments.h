@@ -35,7 +35,8 @@ enum {
     OCEL_M_YYYY,
     OCEL_M_COUNT
 };
-typedef char ocel_assert_moments_t[((OCEL_F_MOMENTS + OCEL_M_COUNT) <= OCEL_F_PLACES) ? 1 : -1];
+typedef char ocel_assert_moments_t
+    [((uint32_t)OCEL_M_COUNT <= (uint32_t)(OCEL_F_PLACES - OCEL_F_MOMENTS)) ? 1 : -1];
 
 /* Points to be read, of one kind or the other. */
 typedef struct {
