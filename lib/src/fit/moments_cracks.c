@@ -4,28 +4,49 @@
  */
 #include "../base/int_math.h"
 #include "../base/scale.h"
+#include "../base/word.h"
 #include "moments.h"
 
 /* Sums of squares below 2^31 make every square so, and every quartic sum at most
  * their product, 2^62.  A disc of radius R sums to 16 R^3: R < 512 px. */
 #define SQUARES_MAX ((int64_t)2147483648)
 
-/* The product's low 32 bits: exact where |a * b| < 2^31. */
-static inline int32_t times(int32_t a, int32_t b) {
-    return (int32_t)((uint32_t)a * (uint32_t)b);
+/* A product of two offsets, in a machine word, and one of two of those: of factors that
+ * are seen to be 32 bits a 32-bit core makes a product and its sum in one instruction,
+ * where a 64-bit one would take two more to make them 32 bits. */
+#if OCEL_WORD_BITS == 64
+typedef int64_t word_t;
+
+static inline word_t times(word_t a, word_t b) {
+    return a * b;
 }
+
+static inline uint64_t product(word_t a, word_t b) {
+    return (uint64_t)a * (uint64_t)b;
+}
+#else
+typedef int32_t word_t;
+
+/* The low 32 bits: exact where |a * b| < 2^31. */
+static inline word_t times(word_t a, word_t b) {
+    return (word_t)((uint32_t)a * (uint32_t)b);
+}
+
+static inline uint64_t product(word_t a, word_t b) {
+    return (uint64_t)((int64_t)a * b);
+}
+#endif
 
 /* Sums of u^i v^j, u and v the offsets from (x0, y0), |.| < 2^16: sums of the first
  * order are below 2^30; squares below 2^32 and their sums, which are exact, below 2^46.
  * Where those are below SQUARES_MAX, so is every square and the sum of u v, and the
  * other products are below 2^62; where not, the caller refuses the rest, which is taken
- * modulo 2^32 and 2^64, so nothing overflows.  (Of factors that are seen to be 32 bits a
- * 32-bit core makes a product and its sum in one instruction.) */
-static void sum_cracks(const ocel_crack_t *cracks, size_t count, int32_t x0, int32_t y0,
+ * modulo 2^32 and 2^64, so nothing overflows. */
+static void sum_cracks(const ocel_crack_t *cracks, size_t count, word_t x0, word_t y0,
                        int64_t *sum) {
-    int32_t s_x = 0;
-    int32_t s_y = 0;
-    uint32_t s_xy = 0U;
+    word_t s_x = 0;
+    word_t s_y = 0;
+    ocel_word_t s_xy = 0U;
     uint64_t s_xx = 0U;
     uint64_t s_yy = 0U;
     uint64_t s_xxx = 0U;
@@ -42,33 +63,33 @@ static void sum_cracks(const ocel_crack_t *cracks, size_t count, int32_t x0, int
     /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_end or
      * ocel_eye_refit */
     do {
-        const int32_t x = cracks[i].x_hpx - x0;
-        const int32_t y = cracks[i].y_hpx - y0;
-        const int32_t xx = times(x, x);
-        const int32_t xy = times(x, y);
-        const int32_t yy = times(y, y);
+        const word_t x = cracks[i].x_hpx - x0;
+        const word_t y = cracks[i].y_hpx - y0;
+        const word_t xx = times(x, x);
+        const word_t xy = times(x, y);
+        const word_t yy = times(y, y);
 
         s_x += x;
         s_y += y;
-        s_xy += (uint32_t)xy;
-        s_xx += (uint32_t)xx;
-        s_yy += (uint32_t)yy;
-        s_xxx += (uint64_t)((int64_t)xx * x);
-        s_xxy += (uint64_t)((int64_t)xx * y);
-        s_xyy += (uint64_t)((int64_t)yy * x);
-        s_yyy += (uint64_t)((int64_t)yy * y);
-        s_xxxx += (uint64_t)((int64_t)xx * xx);
-        s_xxxy += (uint64_t)((int64_t)xx * xy);
-        s_xxyy += (uint64_t)((int64_t)xx * yy);
-        s_xyyy += (uint64_t)((int64_t)xy * yy);
-        s_yyyy += (uint64_t)((int64_t)yy * yy);
+        s_xy += (ocel_word_t)xy;
+        s_xx += (ocel_word_t)xx;
+        s_yy += (ocel_word_t)yy;
+        s_xxx += product(xx, x);
+        s_xxy += product(xx, y);
+        s_xyy += product(yy, x);
+        s_yyy += product(yy, y);
+        s_xxxx += product(xx, xx);
+        s_xxxy += product(xx, xy);
+        s_xxyy += product(xx, yy);
+        s_xyyy += product(xy, yy);
+        s_yyyy += product(yy, yy);
         i++;
     } while (i < count);
     sum[OCEL_M_1] = (int64_t)count;
     sum[OCEL_M_X] = s_x;
     sum[OCEL_M_Y] = s_y;
     sum[OCEL_M_XX] = (int64_t)s_xx;
-    sum[OCEL_M_XY] = (int32_t)s_xy;
+    sum[OCEL_M_XY] = (word_t)s_xy;
     sum[OCEL_M_YY] = (int64_t)s_yy;
     sum[OCEL_M_XXX] = (int64_t)s_xxx;
     sum[OCEL_M_XXY] = (int64_t)s_xxy;
