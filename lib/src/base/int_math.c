@@ -61,16 +61,11 @@ uint32_t ocel_isqrt64(uint64_t v) {
     return (uint32_t)root;
 }
 
+#if OCEL_WORD_BITS != 64
 int32_t ocel_bits_of(const int64_t *v, uint32_t count) {
-    uint64_t all = 0U;
-    uint32_t i = 0U;
-
-    do { /* bound: OCEL_MAX_VECTOR; 2 each time in a call of ocel_polar */
-        all |= ocel_abs64(v[i]);
-        i++;
-    } while (i < count);
-    return 64 - (int32_t)ocel_clz64(all);
+    return ocel_bits_of_here(v, count);
 }
+#endif
 
 uint32_t ocel_ceil_log2(uint64_t n) {
     return (n <= 1U) ? 0U : (64U - ocel_clz64(n - 1U));

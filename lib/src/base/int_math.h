@@ -171,7 +171,23 @@ uint32_t ocel_isqrt64(uint64_t v);
 
 /* The bits of the largest of so many numbers, 1..OCEL_MAX_VECTOR: the least n, 0..64,
  * with every |v[i]| < 2^n. */
+static inline int32_t ocel_bits_of_here(const int64_t *v, uint32_t count) {
+    uint64_t all = 0U;
+    uint32_t i = 0U;
+
+    do { /* bound: OCEL_MAX_VECTOR; 2 each time in a call of ocel_polar */
+        all |= ocel_abs64(v[i]);
+        i++;
+    } while (i < count);
+    return 64 - (int32_t)ocel_clz64(all);
+}
+#if OCEL_WORD_BITS == 64
+static inline int32_t ocel_bits_of(const int64_t *v, uint32_t count) {
+    return ocel_bits_of_here(v, count);
+}
+#else
 int32_t ocel_bits_of(const int64_t *v, uint32_t count);
+#endif
 
 /* The least e with 2^e >= n; n >= 1, 0 gives 0. */
 uint32_t ocel_ceil_log2(uint64_t n);

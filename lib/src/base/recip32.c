@@ -5,8 +5,6 @@
  */
 #include "int_math.h"
 
-#define RECIP_TRIPS 3U /* 2^-4.1, 2^-8.1, 2^-16.3, 2^-32.7: past the 32 bits */
-
 #define TWO_Q62 ((uint64_t)1U << 63U)
 
 /* One 32-bit Newton step of the reciprocal.  m_q31 in [2^31, 2^32) is [1, 2),
@@ -26,8 +24,7 @@ static uint32_t recip_step(uint32_t m_q31, uint32_t y_q31) {
 uint32_t ocel_recip32(uint32_t m_q31) {
     uint32_t y_q31 = 3031741621U - (uint32_t)(((uint64_t)m_q31 * 2021161080U) >> 32U);
 
-    for (uint32_t trip = 0U; trip < RECIP_TRIPS; trip++) { /* bound: RECIP_TRIPS = 3 */
-        y_q31 = recip_step(m_q31, y_q31);
-    }
-    return y_q31;
+    y_q31 = recip_step(m_q31, y_q31);
+    y_q31 = recip_step(m_q31, y_q31);
+    return recip_step(m_q31, y_q31);
 }

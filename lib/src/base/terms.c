@@ -13,7 +13,7 @@ void ocel_sum_terms(int64_t *r_q60, const ocel_term_t *terms) {
         uint32_t to;
 
         flags = term->to;
-        to = flags & 0x3FU;
+        to = flags & OCEL_PLACE;
         sum += ((flags & OCEL_MINUS) != 0U) ? -product : product;
         if (to != OCEL_GOES_ON) {
             r_q60[to] = sum;

@@ -19,6 +19,7 @@ typedef struct {
 #define OCEL_GOES_ON 0x00U
 #define OCEL_MINUS 0x40U /* the product is subtracted */
 #define OCEL_LAST 0x80U  /* the last term of the table */
+#define OCEL_PLACE 0x3FU /* what is not a flag */
 
 /* The longest table. */
 #define OCEL_MAX_TERMS 40

@@ -58,13 +58,14 @@ static void sum_cracks(const ocel_crack_t *cracks, size_t count, word_t x0, word
     uint64_t s_xxyy = 0U;
     uint64_t s_xyyy = 0U;
     uint64_t s_yyyy = 0U;
-    size_t i = 0U;
+    const ocel_crack_t *crack = cracks;
+    size_t left = count;
 
     /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_end or
      * ocel_eye_refit */
     do {
-        const word_t x = cracks[i].x_hpx - x0;
-        const word_t y = cracks[i].y_hpx - y0;
+        const word_t x = crack->x_hpx - x0;
+        const word_t y = crack->y_hpx - y0;
         const word_t xx = times(x, x);
         const word_t xy = times(x, y);
         const word_t yy = times(y, y);
@@ -83,8 +84,9 @@ static void sum_cracks(const ocel_crack_t *cracks, size_t count, word_t x0, word
         s_xxyy += product(xx, yy);
         s_xyyy += product(xy, yy);
         s_yyyy += product(yy, yy);
-        i++;
-    } while (i < count);
+        crack++;
+        left--;
+    } while (left > 0U);
     sum[OCEL_M_1] = (int64_t)count;
     sum[OCEL_M_X] = s_x;
     sum[OCEL_M_Y] = s_y;
