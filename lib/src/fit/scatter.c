@@ -42,17 +42,17 @@ bool ocel_scatter_eliminate(ocel_scatter_t *scatter, uint32_t k, int64_t least_q
 /* Mean and covariance, when the constant's column has been eliminated:
  * L[1][1] = sqrt(weight), L[x][1] = weighted mean / sqrt(weight). */
 static void read_spread(const ocel_scatter_t *scatter, ocel_solution_t *solution) {
+    /* x, y, xx, xy, yy in the triangle */
+    static const uint8_t place[5] = {1U, 3U, 2U, 4U, 5U};
     int64_t *const q = solution->q60;
     const ocel_scaled_t inverse = ocel_scatter_inverse(scatter, OCEL_S_1);
     const int64_t root = ocel_scale_q60(inverse.y_q60, inverse.e); /* in [1, 1.42] */
     const int64_t weight = ocel_mul_q60(root, root);
 
     q[OCEL_F_WEIGHT] = weight;
-    q[OCEL_F_X] = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_X, OCEL_S_1)], root);
-    q[OCEL_F_Y] = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_1)], root);
-    q[OCEL_F_XX] = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_X, OCEL_S_X)], weight);
-    q[OCEL_F_XY] = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_X)], weight);
-    q[OCEL_F_YY] = ocel_mul_q60(scatter->a_q60[ocel_scatter_at(OCEL_S_Y, OCEL_S_Y)], weight);
+    for (uint32_t i = 0U; i < 5U; i++) { /* bound: 5 */
+        q[OCEL_F_X + i] = ocel_mul_q60(scatter->a_q60[place[i]], (i < 2U) ? root : weight);
+    }
 }
 
 bool ocel_scatter_reduce(ocel_solution_t *solution, ocel_scatter_t *scatter) {
