@@ -58,6 +58,9 @@ static void right_shift_is_floor(void) {
         const int64_t v = edge_or_random(i);
         for (uint32_t n = 0U; n < 63U; n++) {
             TEST_ASSERT_EQUAL_INT64(floor_div(v, 1LL << n), ocel_asr64(v, n));
+            if (n < 32U) {
+                TEST_ASSERT_EQUAL_INT64(floor_div(v, 1LL << n), ocel_asr64_short(v, n));
+            }
         }
         TEST_ASSERT_EQUAL_INT64((v < 0) ? -1 : 0, ocel_asr64(v, 63U));
         const int32_t w = (int32_t)v;
