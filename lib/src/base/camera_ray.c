@@ -27,7 +27,7 @@ static bool is_coordinate(int64_t v_px_q16) {
 }
 
 /* |v| <= most, most up to 2^30: what is below -most wraps to beyond the span. */
-static bool is_within(int32_t v, uint32_t most) {
+static bool is_allowed(int32_t v, uint32_t most) {
     return ((uint32_t)v + most) <= (2U * most);
 }
 
@@ -53,7 +53,8 @@ static bool init_axis(ocel_camera_axis_t *axis, int32_t f_px_q16, int32_t c_px_q
     ocel_recip_q60((uint64_t)f_px_q16 << 30U, &y_q60, &e);
     axis->inverse_f_q60 = ocel_scale_q60(y_q60, e - 14);
     return (first <= last) && (f_px_q16 >= FOCAL_MIN_Q16) && (f_px_q16 <= FOCAL_MAX_Q16) &&
-           is_within(c_px_q16, COORDINATE_MAX_Q16) && (side_px <= (uint16_t)OCEL_MAX_COORDINATE_PX);
+           is_allowed(c_px_q16, COORDINATE_MAX_Q16) &&
+           (side_px <= (uint16_t)OCEL_MAX_COORDINATE_PX);
 }
 
 /* False when a coefficient is out of range. */
@@ -62,7 +63,7 @@ static bool init_lens(ocel_camera_t *camera, const ocel_intrinsics_t *in) {
     bool valid = true;
 
     for (uint32_t i = 0U; i < 5U; i++) { /* bound: 5 */
-        valid = valid && is_within(k_q24[i], COEFFICIENT_MAX_Q24);
+        valid = valid && is_allowed(k_q24[i], COEFFICIENT_MAX_Q24);
         camera->distorted = camera->distorted || (k_q24[i] != 0);
     }
     if (valid) {

@@ -16,8 +16,8 @@ static ocel_status_t as_clipped(ocel_status_t status) {
 }
 
 /* The cone of a frame in which something was seen. */
-static ocel_status_t cone_of(const ocel_eye_t *eye, const ocel_camera_t *camera,
-                             const ocel_detection_t *detection, ocel_cone_t *cone) {
+static ocel_status_t cone_of_boundary(const ocel_eye_t *eye, const ocel_camera_t *camera,
+                                      const ocel_detection_t *detection, ocel_cone_t *cone) {
     size_t count = 0U;
     const ocel_crack_t *cracks = ocel_eye_boundary(eye, &count);
     ocel_status_t status = OCEL_BAD_ORDER;
@@ -45,7 +45,7 @@ ocel_status_t ocel_eye_cone(const ocel_eye_t *eye, const ocel_camera_t *camera,
     if ((eye != NULL) && (camera != NULL) && (detection != NULL) && (cone != NULL)) {
         status = detection->status;
         if ((status != OCEL_NOT_SEEN) && (status != OCEL_OVERFLOW)) {
-            status = cone_of(eye, camera, detection, cone);
+            status = cone_of_boundary(eye, camera, detection, cone);
         }
     }
     return status;

@@ -31,26 +31,11 @@
  * [vv vw; vw ww], g is (uv, uw), and
  *   p(lambda) = -lambda^3 + c2 lambda^2 + c1 lambda + c0 = det(M - lambda J)
  *             = (uu - lambda) det(H + lambda I) - g' adj(H + lambda I) g. */
-enum {
-    M_UU = 0,
-    M_VV,
-    M_WW,
-    M_UV,
-    M_UW,
-    M_VW,
-    M_COUNT,
-    TRACE_H = M_COUNT,
-    DET_H,
-    UV_UV,
-    UW_UW,
-    UV_UW,
-    C2,
-    C1,
-    C0,
-    WORK_COUNT,
-    NUMERATOR_V = UV_UV, /* of the null vector, for which M's squares serve no more */
-    NUMERATOR_W = UW_UW
-};
+enum { M_UU = 0, M_VV, M_WW, M_UV, M_UW, M_VW, M_COUNT };
+enum { TRACE_H = M_COUNT, DET_H, UV_UV, UW_UW, UV_UW, C2, C1, C0, WORK_COUNT };
+
+/* Of the null vector, for which M's squares serve no more. */
+enum { NUMERATOR_V = UV_UV, NUMERATOR_W = UW_UW };
 
 /* The congruence (A, B, C) -> (u, v, w), and its scaling by 2^up, -2..44.  Sums of four
  * entries stay within 4.1 * 2^60 < 2^63. */

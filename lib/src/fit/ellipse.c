@@ -42,9 +42,11 @@ enum {
     GRADIENT,
     A0, /* for a moment */
     A1,
-    OWN_END,
+    OWN_END
+};
 
-    /* Where the solution has what is of no more use when these are found. */
+/* Where the solution has what is of no more use when these are found. */
+enum {
     SHAPE_XX = OCEL_F_D_Q48,
     SHAPE_XY,
     SHAPE_YY,

@@ -40,18 +40,15 @@ enum {
     OCEL_F_G21,        /* within 1/2 */
     OCEL_F_G22,        /* 1 LSB to 1/2 */
     OCEL_F_SCALE_LOG2, /* a whole number, 17..36 */
-    OCEL_F_COUNT,
-
-    /* The points' moments (moments.h), until the conic is found. */
-    OCEL_F_MOMENTS = OCEL_F_COUNT,
-    OCEL_F_PLACES = OCEL_F_MOMENTS + 15,
-
-    /* In their place then, on the way to the ellipse: the quadratic part
-     * [1+v w; w 1-v] = 2 [A B/2; B/2 C], each entry below 2, and each step's own. */
-    OCEL_F_FORM_XX = OCEL_F_COUNT,
-    OCEL_F_FORM_YY,
-    OCEL_F_FREE
+    OCEL_F_COUNT
 };
+
+/* The points' moments (moments.h), until the conic is found. */
+enum { OCEL_F_MOMENTS = OCEL_F_COUNT, OCEL_F_PLACES = OCEL_F_MOMENTS + 15 };
+
+/* In their place then, on the way to the ellipse: the quadratic part
+ * [1+v w; w 1-v] = 2 [A B/2; B/2 C], each entry below 2, and each step's own. */
+enum { OCEL_F_FORM_XX = OCEL_F_COUNT, OCEL_F_FORM_YY, OCEL_F_FREE };
 
 typedef struct {
     int64_t q60[OCEL_F_PLACES];
