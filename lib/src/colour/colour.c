@@ -282,57 +282,25 @@ ocel_status_t ocel_colour_compile(ocel_colour_t *colour, const ocel_colour_range
 
 /* ---- Testing a line ---- */
 
-static void look_up_line(const ocel_colour_table_t *table, const uint8_t *line, uint32_t pixels,
-                         uint32_t *row) {
-    const ocel_row16_table_t colours = {table->word, table->least, table->headroom};
+static ocel_pixel_t read_yuyv(const uint8_t *line, uint32_t x) {
+    const uint8_t *const pair = &line[4U * (x >> 1U)];
+    const ocel_pixel_t yuv = {{pair[2U * (x & 1U)], pair[1], pair[3]}};
 
-    ocel_row16_table(&colours, line, pixels, row);
+    return ocel_pixel_from_yuv(&yuv);
 }
 
-static void test_line(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
-                      uint32_t *row) {
-    switch (colour->format) {
-    case OCEL_FORMAT_RGB565:
-        look_up_line(colour->table, line, pixels, row);
-        break;
-    case OCEL_FORMAT_YUYV:
-        ocel_row16_yuyv(colour->lanes, line, pixels, row);
-        break;
-    case OCEL_FORMAT_GRAY8:
-        ocel_row8_gray(colour->lanes[0], line, pixels, row);
-        break;
-    case OCEL_FORMAT_RGB888:
-    case OCEL_FORMAT_BGR888:
-    default:
-        ocel_row24_box(colour->lanes, colour->at, line, pixels, row);
-        break;
-    }
-}
+static ocel_pixel_t read_rgb24(const ocel_colour_t *colour, const uint8_t *line, uint32_t x) {
+    const uint8_t *const bytes = &line[3U * x];
+    const uint32_t red = (colour->format == OCEL_FORMAT_BGR888) ? 2U : 0U;
+    const ocel_pixel_t rgb = {{bytes[red], bytes[1], bytes[2U - red]}};
 
-/* Pixel x of a line of RGB888, BGR888 or YUYV, the formats with bounds that are
- * not exact. */
-static ocel_pixel_t read_rgb(const ocel_colour_t *colour, const uint8_t *line, uint32_t x) {
-    ocel_pixel_t rgb;
-
-    if (colour->format == OCEL_FORMAT_YUYV) {
-        const uint8_t *const pair = &line[4U * (x >> 1U)];
-        const ocel_pixel_t yuv = {{pair[2U * (x & 1U)], pair[1], pair[3]}};
-
-        rgb = ocel_pixel_from_yuv(&yuv);
-    } else {
-        const uint8_t *const bytes = &line[3U * x];
-        const uint32_t red = (colour->format == OCEL_FORMAT_BGR888) ? 2U : 0U;
-
-        rgb.c[0] = bytes[red];
-        rgb.c[1] = bytes[1];
-        rgb.c[2] = bytes[2U - red];
-    }
     return rgb;
 }
 
-/* Clears the bits of the pixels that are not in range after all. */
-static void decide_line(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
-                        uint32_t *row) {
+/* Clears the bits of the pixels, of a line of YUYV or of three bytes a pixel, that are not
+ * in range after all.  For each a copy: what the other's pixels take is not this one's. */
+static inline void decide_line(const ocel_colour_t *colour, bool is_yuyv, const uint8_t *line,
+                               uint32_t pixels, uint32_t *row) {
     /* bound: OCEL_ROW_WORDS; 1 each time in a call of do_tail */
     for (uint32_t x0 = 0U; x0 < pixels; x0 += 32U) {
         uint32_t passed = row[x0 >> 5U];
@@ -341,7 +309,8 @@ static void decide_line(const ocel_colour_t *colour, const uint8_t *line, uint32
          * OCEL_MAX_WIDTH in all rounds of the outer loop */
         while (passed != 0U) {
             const uint32_t k = ocel_ctz32(passed);
-            const ocel_pixel_t rgb = read_rgb(colour, line, x0 + k);
+            const ocel_pixel_t rgb =
+                is_yuyv ? read_yuyv(line, x0 + k) : read_rgb24(colour, line, x0 + k);
 
             passed &= passed - 1U;
             if (!rgb_in_range(&colour->range, &rgb)) {
@@ -351,11 +320,46 @@ static void decide_line(const ocel_colour_t *colour, const uint8_t *line, uint32
     }
 }
 
+static void do_yuyv(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
+                    uint32_t *row) {
+    ocel_row16_yuyv(colour->lanes, line, pixels, row);
+    if (colour->exact == 0U) {
+        decide_line(colour, true, line, pixels, row);
+    }
+}
+
+static void do_rgb24(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
+                     uint32_t *row) {
+    ocel_row24_box(colour->lanes, colour->at, line, pixels, row);
+    if (colour->exact == 0U) {
+        decide_line(colour, false, line, pixels, row);
+    }
+}
+
+static void look_up_line(const ocel_colour_table_t *table, const uint8_t *line, uint32_t pixels,
+                         uint32_t *row) {
+    const ocel_row16_table_t colours = {table->word, table->least, table->headroom};
+
+    ocel_row16_table(&colours, line, pixels, row);
+}
+
 static void do_line(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
                     uint32_t *row) {
-    test_line(colour, line, pixels, row);
-    if (colour->exact == 0U) {
-        decide_line(colour, line, pixels, row);
+    switch (colour->format) {
+    case OCEL_FORMAT_RGB565:
+        look_up_line(colour->table, line, pixels, row);
+        break;
+    case OCEL_FORMAT_YUYV:
+        do_yuyv(colour, line, pixels, row);
+        break;
+    case OCEL_FORMAT_GRAY8:
+        ocel_row8_gray(colour->lanes[0], line, pixels, row);
+        break;
+    case OCEL_FORMAT_RGB888:
+    case OCEL_FORMAT_BGR888:
+    default:
+        do_rgb24(colour, line, pixels, row);
+        break;
     }
 }
 

@@ -110,14 +110,16 @@ static inline uint32_t table_bits(const uint32_t *word, const uint8_t *group) {
     return bits;
 }
 
+static inline uint32_t table_words_of_two(const uint32_t *word, uint32_t two) {
+    return word[two >> 21U] | word[(two >> 5U) & 0x7FFU];
+}
+
 /* What the table has for all blues, beside the red and green of each pixel of a group. */
 static inline uint32_t table_words(const uint32_t *word, const uint8_t *group) {
-    uint32_t words = 0U;
+    uint32_t words = table_words_of_two(word, ocel_load32(group));
 
-    for (uint32_t at = 0U; at < TABLE_GROUP_BYTES; at += 4U) { /* bound: TABLE_GROUP / 2 */
-        const uint32_t two = ocel_load32(&group[at]);
-
-        words |= word[two >> 21U] | word[(two >> 5U) & 0x7FFU];
+    for (uint32_t at = 4U; at < TABLE_GROUP_BYTES; at += 4U) { /* bound: TABLE_GROUP / 2 - 1 */
+        words |= table_words_of_two(word, ocel_load32(&group[at]));
     }
     return words;
 }
@@ -138,31 +140,21 @@ static inline uint32_t look_up(const walk_t *walk, const uint8_t *group) {
     return bits;
 }
 
-/* From group to group by glances, until one was looked up in vain; past that. */
-static inline const uint8_t *go_by_glances(const walk_t *walk, const extremes_t *glance,
-                                           const uint8_t *from) {
-    const uint8_t *group = from;
-    bool useful = true;
-
-    /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail;
-     * OCEL_MAX_WIDTH / TABLE_GROUP as groups in a call of ocel_row16_table */
-    while ((group != walk->end) && useful) {
-        if (may_be_in(glance, group)) {
-            useful = look_up(walk, group) != 0U;
-        }
-        group = &group[TABLE_GROUP_BYTES];
-    }
-    return group;
-}
-
-/* Past the groups whose words in the table say that they have no pixel in range. */
+/* Past the groups whose words in the table say that they have no pixel in range.
+ *
+ * Looks are groups that are glanced at and groups whose words are asked.  One whose words
+ * do not tell is both; so are at most half of the groups, as each of these but the last
+ * follows one that the words went past, and the first one that was looked up in vain. */
 static inline const uint8_t *skip_by_words(const walk_t *walk, const uint8_t *from) {
     const uint8_t *group = from;
+    bool none = true;
 
     /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail;
-     * OCEL_MAX_WIDTH / TABLE_GROUP as groups in a call of ocel_row16_table */
-    while ((group != walk->end) && (table_words(walk->word, group) == 0U)) {
-        group = &group[TABLE_GROUP_BYTES];
+     * OCEL_MAX_WIDTH / TABLE_GROUP in a call of ocel_row16_table;
+     * 3 * OCEL_MAX_WIDTH / TABLE_GROUP / 2 as looks in a call of ocel_row16_table */
+    while (none && (group != walk->end)) {
+        none = table_words(walk->word, group) == 0U;
+        group = none ? &group[TABLE_GROUP_BYTES] : group;
     }
     return group;
 }
@@ -179,14 +171,17 @@ void ocel_row16_table(const ocel_row16_table_t *table, const uint8_t *line, uint
     const uint8_t *group = line;
     bool words_tell = true;
 
-    /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail */
+    /* bound: OCEL_MAX_WIDTH / TABLE_GROUP; 1 each time in a call of do_tail;
+     * 3 * OCEL_MAX_WIDTH / TABLE_GROUP / 2 as looks in a call of ocel_row16_table */
     while (group != walk.end) {
-        group = go_by_glances(&walk, &glance, group);
-        if (words_tell) {
-            const uint8_t *const next = skip_by_words(&walk, group);
+        const bool in_vain = may_be_in(&glance, group) && (look_up(&walk, group) == 0U);
 
-            words_tell = next != group;
-            group = next;
+        group = &group[TABLE_GROUP_BYTES];
+        if (in_vain && words_tell) {
+            const uint8_t *const asked = group;
+
+            group = skip_by_words(&walk, asked);
+            words_tell = group != asked;
         }
     }
 }
