@@ -208,32 +208,18 @@ static void box_from(const glance_t *first, const uint32_t lanes[3][4], const ui
 
 /* ---- The whole test, plane by plane ---- */
 
-typedef struct {
-    byte_plane_t plane;
-    uint32_t rotation; /* bits, to OCEL_ORDER_BY_THREES */
-    ocel_lane_range_t range;
-} channel_test_t;
+/* In the order of the bytes of plane 0. */
+static inline ocel_word_t channel_in(const uint32_t lanes[4], uint32_t at, const uint8_t *group) {
+    const ocel_lane_range_t range = ocel_lane_range(lanes);
 
-static inline channel_test_t channel_test(const uint32_t lanes[4], uint32_t at) {
-    const channel_test_t test = {plane_at[at], 8U * at, ocel_lane_range(lanes)};
-
-    return test;
-}
-
-static inline ocel_word_t channel_in(const channel_test_t *test, const uint8_t *group) {
-    const ocel_word_t plane = ocel_rotate_right(take(&test->plane, group), test->rotation);
-
-    return ocel_lanes_in(plane, &test->range);
+    return ocel_lanes_in(ocel_rotate_right(take(&plane_at[at], group), 8U * at), &range);
 }
 
 /* The rest of a line, from the first group at which a glance was not enough.
  * Where begin and end are even a glance is exact. */
 static void box_from(const glance_t *first, const uint32_t lanes[3][4], const uint8_t at[3],
                      const uint8_t *line, uint32_t x0, uint32_t pixels, uint32_t *row) {
-    const channel_test_t test0 = channel_test(lanes[0], at[0]);
-    const channel_test_t test1 = channel_test(lanes[1], at[1]);
-    const channel_test_t test2 = channel_test(lanes[2], at[2]);
-    const bool exact = (test0.range.begin_odd | test0.range.end_odd) == 0U;
+    const bool exact = (first->range.begin_odd | first->range.end_odd) == 0U;
     const uint8_t *group = &line[PIXEL_BYTES * x0];
 
     /* bound: OCEL_MAX_WIDTH / OCEL_GROUP; 16 / OCEL_GROUP each time in a call of do_tail */
@@ -241,11 +227,10 @@ static void box_from(const glance_t *first, const uint32_t lanes[3][4], const ui
         ocel_word_t in = glance(first, group) & OCEL_TOP_BITS;
 
         if (in != 0U) {
-            in = ocel_rotate_right(in, test0.rotation);
-            if (!exact) {
-                in &= channel_in(&test0, group);
+            in = ocel_rotate_right(in, 8U * at[0]);
+            for (uint32_t k = exact ? 1U : 0U; k < 3U; k++) { /* bound: 3 channels */
+                in &= channel_in(lanes[k], at[k], group);
             }
-            in &= channel_in(&test1, group) & channel_in(&test2, group);
             row[x >> 5U] |= ocel_gather(in, OCEL_ORDER_BY_THREES) << (x & 31U);
         }
         group = &group[PIXEL_BYTES * OCEL_GROUP];
