@@ -6,13 +6,6 @@
 
 #include "../base/int_math.h"
 
-/* The inverse of BT.601 in Q16 (ITU-T T.871, section 7): 1.402, 0.344136,
- * 0.714136 and 1.772. */
-#define V_TO_R_Q16 91881
-#define U_TO_G_Q16 22554
-#define V_TO_G_Q16 46802
-#define U_TO_B_Q16 116130
-
 static uint32_t widen5(uint32_t v) {
     return (v << 3U) | (v >> 2U);
 }
@@ -46,30 +39,28 @@ ocel_pixel_t ocel_pixel_to_yuv(const ocel_pixel_t *rgb) {
     return yuv;
 }
 
-/* |v| <= 2^16 * 482 < 2^25. */
+/* Rounded down; |v| <= 2^16 * 482 < 2^25. */
 static uint32_t clip_q16(int32_t v_q16) {
-    const int32_t v = ocel_asr32(v_q16 + 32768, 16U);
-    uint32_t clipped = 0U;
+    const int32_t v = ocel_asr32(v_q16, 16U);
+    const int32_t above = (v > 0) ? v : 0;
 
-    if (v > 255) {
-        clipped = 255U;
-    } else if (v > 0) {
-        clipped = (uint32_t)v;
-    } else {
-        clipped = 0U;
-    }
-    return clipped;
+    return (above < 255) ? (uint32_t)above : 255U;
 }
 
-/* |y| <= 255 * 2^16 and |coefficient * 128| < 2^24: sums below 2^26. */
+/* The inverse of BT.601 (ITU-T T.871, section 7): R = Y + 1.402 V, G = Y - 0.344136 U -
+ * 0.714136 V, B = Y + 1.772 U.  |y| < 2^24 and |coefficient * 128| < 2^24: sums
+ * below 2^26. */
 ocel_pixel_t ocel_pixel_from_yuv(const ocel_pixel_t *yuv) {
-    const int32_t y_q16 = (int32_t)yuv->c[0] * 65536;
+    static const int32_t u_to_rgb_q16[3] = {0, -22554, 116130};
+    static const int32_t v_to_rgb_q16[3] = {91881, -46802, 0};
+    const int32_t y_q16 = ((int32_t)yuv->c[0] * 65536) + 32768; /* the half that rounds */
     const int32_t u = (int32_t)yuv->c[1] - 128;
     const int32_t v = (int32_t)yuv->c[2] - 128;
-    const ocel_pixel_t rgb = {{clip_q16(y_q16 + (V_TO_R_Q16 * v)),
-                               clip_q16(y_q16 - (U_TO_G_Q16 * u) - (V_TO_G_Q16 * v)),
-                               clip_q16(y_q16 + (U_TO_B_Q16 * u))}};
+    ocel_pixel_t rgb;
 
+    for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 channels; 0 each time in a call of do_rgb24 */
+        rgb.c[k] = clip_q16(y_q16 + (u_to_rgb_q16[k] * u) + (v_to_rgb_q16[k] * v));
+    }
     return rgb;
 }
 
