@@ -78,23 +78,25 @@ ocel_status_t ocel_cone_place(const ocel_cone_source_t *source, ocel_cone_place_
     return status;
 }
 
+static int32_t times_q30(int32_t a_q30, int32_t b_q30) {
+    return (int32_t)ocel_shift_round64((int64_t)a_q30 * b_q30, 30U);
+}
+
 /* The rotation that takes the axis (a, b, c) to z by the shortest way:
  *   [1 - a a k, -a b k, -a;  -a b k, 1 - b b k, -b;  a, b, c],  k = 1 / (1 + c). */
 void ocel_cone_frame(const int32_t axis_cam_q30[3], ocel_cone_frame_t *frame) {
     const uint64_t below_q60 = ((uint64_t)axis_cam_q30[2] + 0x40000000U) << 30U;
     int64_t y_q60;
-    int64_t k_q30;
+    int32_t k_q30;
     int32_t e;
 
     ocel_recip_q60(below_q60, &y_q60, &e); /* 1 + c is 1 to 2: e is -1 or 0 */
-    k_q30 = ocel_scale_q60(y_q60, e - 30);
+    k_q30 = (int32_t)ocel_scale_q60(y_q60, e - 30);
     for (uint32_t i = 0U; i < 2U; i++) {     /* bound: 2 */
         for (uint32_t j = 0U; j < 2U; j++) { /* bound: 2 */
-            const int64_t product_q30 =
-                ocel_shift_round64((int64_t)axis_cam_q30[i] * axis_cam_q30[j], 30U);
+            const int32_t product_q30 = times_q30(axis_cam_q30[i], axis_cam_q30[j]);
 
-            frame->r_q30[i][j] =
-                ((i == j) ? 0x40000000 : 0) - (int32_t)ocel_shift_round64(product_q30 * k_q30, 30U);
+            frame->r_q30[i][j] = ((i == j) ? 0x40000000 : 0) - times_q30(product_q30, k_q30);
         }
         frame->r_q30[i][2] = -axis_cam_q30[i];
         frame->r_q30[2][i] = axis_cam_q30[i];
@@ -129,42 +131,28 @@ static inline void widen(int32_t side[2], int32_t v) {
     side[1] = (v > side[1]) ? v : side[1];
 }
 
-/* The points' box, Q16 px; cracks are compared as they are, for speed. */
-static void box_of(const ocel_cone_source_t *source, int32_t x_px_q16[2], int32_t y_px_q16[2]) {
-    int32_t x[2] = {INT32_MAX, INT32_MIN};
-    int32_t y[2] = {INT32_MAX, INT32_MIN};
-    const int32_t unit_q16 = (source->points != NULL) ? 1 : 32768;
+/* Widens a box, x and y, to hold the points. */
+static void box_of(const ocel_cone_source_t *source, int32_t box_px_q16[2][2]) {
+    /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_cone */
+    for (uint32_t i = 0U; i < source->count; i++) {
+        int32_t xy_px_q16[2];
 
-    if (source->points != NULL) {
-        /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_cone */
-        for (uint32_t i = 0U; i < source->count; i++) {
-            widen(x, source->points[i].x_px_q16);
-            widen(y, source->points[i].y_px_q16);
-        }
-    } else {
-        /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_cone */
-        for (uint32_t i = 0U; i < source->count; i++) {
-            widen(x, source->cracks[i].x_hpx);
-            widen(y, source->cracks[i].y_hpx);
-        }
-    }
-    for (uint32_t k = 0U; k < 2U; k++) { /* bound: 2 */
-        x_px_q16[k] = x[k] * unit_q16;
-        y_px_q16[k] = y[k] * unit_q16;
+        ocel_cone_pixel(source, i, xy_px_q16);
+        widen(box_px_q16[0], xy_px_q16[0]);
+        widen(box_px_q16[1], xy_px_q16[1]);
     }
 }
 
 bool ocel_cone_is_plain(const ocel_cone_source_t *source) {
     bool plain = !source->camera->distorted;
-    int32_t x_px_q16[2];
-    int32_t y_px_q16[2];
+    int32_t box_px_q16[2][2] = {{INT32_MAX, INT32_MIN}, {INT32_MAX, INT32_MIN}};
 
-    box_of(source, x_px_q16, y_px_q16);
+    box_of(source, box_px_q16);
     for (uint32_t k = 0U; k < 4U; k++) { /* bound: 4 */
         int32_t xy_q28[2];
 
-        plain = plain &&
-                ocel_camera_normalise(source->camera, x_px_q16[k & 1U], y_px_q16[k >> 1U], xy_q28);
+        plain = plain && ocel_camera_normalise(source->camera, box_px_q16[0][k & 1U],
+                                               box_px_q16[1][k >> 1U], xy_q28);
     }
     return plain;
 }
