@@ -35,7 +35,8 @@ void ocel_cone_circle(const ocel_cone_source_t *source, const ocel_cone_guess_t 
     ocel_recip_q60((uint64_t)guess->tan_q46 << 14U, &y_q60, &e);
     y_q60 = ocel_mul_q60(y_q60, (int64_t)z_q30 * 0x40000000);
     circle->side_down = 34U - (uint32_t)e;
-    ocel_cone_map(source, guess->axis_cam_q30, ocel_asr64(y_q60, 30U), z_q30, &circle->scaled);
+    ocel_cone_map(source, guess->axis_cam_q30, (int32_t)ocel_asr64(y_q60, 30U), z_q30,
+                  &circle->scaled);
     circle->r_px_q16 = (int32_t)((r_px_q16 > 0x40000000U) ? 0x40000000U : r_px_q16);
     circle->gate_px_q16 =
         (int32_t)gate_of(guess->rms_px_q15, (uint32_t)circle->r_px_q16, source->points == NULL);

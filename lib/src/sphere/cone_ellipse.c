@@ -34,7 +34,7 @@
 
 /* Centre and a b in the plane z = 1. */
 typedef struct {
-    int64_t e_q28[2];
+    int32_t e_q28[2];
     int64_t area_q56;
 } flat_t;
 
@@ -42,31 +42,36 @@ typedef struct {
  * what is odd about the centre cancels.  Sums of four slopes are within 2^32.6; half
  * the axes' doubles, within 5.7, make products within 2^61.1. */
 static bool flatten(const ocel_camera_t *camera, const ocel_ellipse_t *ellipse, flat_t *flat) {
-    const int64_t centre_q16[2] = {ellipse->cx_px_q16, ellipse->cy_px_q16};
+    const int32_t centre_q16[2] = {ellipse->cx_px_q16, ellipse->cy_px_q16};
     int32_t ends_q28[4][2] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
     int32_t unit_q30[2];
-    int64_t half_q28[2][2];
+    int32_t half_q28[2][2];
     bool seen = true;
 
     ocel_sincos(ellipse->angle_turn_q32, &unit_q30[1], &unit_q30[0]);
     for (uint32_t i = 0U; i < 4U; i++) { /* bound: 4 */
         const bool minor = (i & 1U) != 0U;
-        const int64_t size = minor ? ellipse->b_px_q16 : ellipse->a_px_q16;
-        const int64_t length_q16 = ((i & 2U) != 0U) ? -size : size;
-        const int64_t x_q30 = minor ? -unit_q30[1] : unit_q30[0];
-        const int64_t y_q30 = minor ? unit_q30[0] : unit_q30[1];
-        const int64_t end_q16[2] = {centre_q16[0] + ocel_shift_round64(length_q16 * x_q30, 30U),
-                                    centre_q16[1] + ocel_shift_round64(length_q16 * y_q30, 30U)};
+        const int32_t size = minor ? ellipse->b_px_q16 : ellipse->a_px_q16;
+        const int32_t length_q16 = ((i & 2U) != 0U) ? -size : size;
+        const int32_t along_q30[2] = {minor ? -unit_q30[1] : unit_q30[0],
+                                      minor ? unit_q30[0] : unit_q30[1]};
+        int64_t end_q16[2];
+
+        for (uint32_t k = 0U; k < 2U; k++) { /* bound: 2 */
+            end_q16[k] =
+                centre_q16[k] + ocel_shift_round64((int64_t)length_q16 * along_q30[k], 30U);
+        }
 
         seen = seen && ocel_camera_normalise_beyond(camera, end_q16, ends_q28[i]);
     }
     for (uint32_t k = 0U; k < 2U; k++) { /* bound: 2 */
-        flat->e_q28[k] = ocel_shift_round64(
+        flat->e_q28[k] = (int32_t)ocel_shift_round64(
             (int64_t)ends_q28[0][k] + ends_q28[1][k] + ends_q28[2][k] + ends_q28[3][k], 2U);
-        half_q28[0][k] = ocel_asr64((int64_t)ends_q28[0][k] - ends_q28[2][k], 1U);
-        half_q28[1][k] = ocel_asr64((int64_t)ends_q28[1][k] - ends_q28[3][k], 1U);
+        half_q28[0][k] = (int32_t)ocel_asr64((int64_t)ends_q28[0][k] - ends_q28[2][k], 1U);
+        half_q28[1][k] = (int32_t)ocel_asr64((int64_t)ends_q28[1][k] - ends_q28[3][k], 1U);
     }
-    flat->area_q56 = (half_q28[0][0] * half_q28[1][1]) - (half_q28[0][1] * half_q28[1][0]);
+    flat->area_q56 =
+        ((int64_t)half_q28[0][0] * half_q28[1][1]) - ((int64_t)half_q28[0][1] * half_q28[1][0]);
     return seen;
 }
 
@@ -91,24 +96,24 @@ static int64_t solve_q56(int64_t area_q56, int64_t square_q56) {
 /* The axis along (e / q, 1), and s^2 = (b^2 / q) cos^2 of its angle. */
 static void cone_over(const flat_t *flat, ocel_cone_t *cone) {
     const int64_t square_q56 =
-        (flat->e_q28[0] * flat->e_q28[0]) + (flat->e_q28[1] * flat->e_q28[1]);
+        ((int64_t)flat->e_q28[0] * flat->e_q28[0]) + ((int64_t)flat->e_q28[1] * flat->e_q28[1]);
     const int64_t q_q56 = solve_q56(flat->area_q56, square_q56);
     int32_t xy_q28[2];
-    int64_t z_q30;
+    int32_t z_q30;
     int64_t part_q60;
     int64_t y_q60;
     int32_t e;
 
     ocel_recip_q60((uint64_t)q_q56, &y_q60, &e); /* 16 / q: e is -1..4 */
     for (uint32_t k = 0U; k < 2U; k++) {         /* bound: 2 */
-        xy_q28[k] =
-            (int32_t)ocel_scale_q60(ocel_mul_q60(flat->e_q28[k] * 0x4000000, y_q60), e - 30);
+        xy_q28[k] = (int32_t)ocel_scale_q60(
+            ocel_mul_q60((int64_t)flat->e_q28[k] * 0x4000000, y_q60), e - 30);
     }
     ocel_camera_unit(xy_q28, cone->axis_cam_q30);
     z_q30 = cone->axis_cam_q30[2];
     part_q60 = ocel_scale_q60(ocel_mul_q60(q_q56 - ONE_Q56, y_q60), e);
     cone->sin_q30 = (uint32_t)ocel_shift_round64(
-        ocel_sqrt_q60((uint64_t)ocel_mul_q60(part_q60, z_q30 * z_q30)), 30U);
+        ocel_sqrt_q60((uint64_t)ocel_mul_q60(part_q60, (int64_t)z_q30 * z_q30)), 30U);
 }
 
 /* sigma^2 / (a b), the variance of the centre by the squared radius, is taken for that

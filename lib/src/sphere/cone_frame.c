@@ -160,17 +160,17 @@ bool ocel_cone_is_plain(const ocel_cone_source_t *source) {
 /* A row's entry times 1 / f <= 1/16, Q42, times a pixel in Q16 is in Q58; a pixel is
  * within 2^14, so what the product's floor loses is below 2^-28. */
 void ocel_cone_map(const ocel_cone_source_t *source, const int32_t axis_cam_q30[3],
-                   int64_t side_q30, int64_t depth_q30, ocel_cone_map_t *map) {
+                   int32_t side_q30, int32_t depth_q30, ocel_cone_map_t *map) {
     ocel_cone_frame_t frame;
 
     ocel_cone_frame(axis_cam_q30, &frame);
     for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 */
-        const int64_t rate_q30 = (k < 2U) ? side_q30 : depth_q30;
+        const int32_t rate_q30 = (k < 2U) ? side_q30 : depth_q30;
 
-        map->g[k][2] = (uint64_t)(ocel_shift_round64(frame.r_q30[k][2] * rate_q30, 2U));
+        map->g[k][2] = (uint64_t)ocel_shift_round64((int64_t)frame.r_q30[k][2] * rate_q30, 2U);
         for (uint32_t j = 0U; j < 2U; j++) { /* bound: 2 */
             const ocel_camera_axis_t *axis = &source->camera->axis[j];
-            const int64_t g_q60 = frame.r_q30[k][j] * rate_q30;
+            const int64_t g_q60 = (int64_t)frame.r_q30[k][j] * rate_q30;
 
             if (source->plain) {
                 const int64_t inverse_f_q42 = ocel_shift_round64(axis->inverse_f_q60, 18U);

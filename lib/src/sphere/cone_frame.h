@@ -87,7 +87,7 @@ typedef struct {
 /* The map into the frame that looks along an axis, its x and y scaled by `side` and its z
  * by `depth`, both at most 1. */
 void ocel_cone_map(const ocel_cone_source_t *source, const int32_t axis_cam_q30[3],
-                   int64_t side_q30, int64_t depth_q30, ocel_cone_map_t *map);
+                   int32_t side_q30, int32_t depth_q30, ocel_cone_map_t *map);
 
 /* What the map takes of point i.  False when the camera refuses the point. */
 static inline bool ocel_cone_take(const ocel_cone_source_t *source, uint32_t i, int32_t ab[2]) {

@@ -93,12 +93,12 @@ static bool outline_centre(const ocel_camera_t *camera, const int32_t axis_q30[3
 
 static ocel_status_t outline(const ocel_camera_t *camera, const ocel_cone_t *cone,
                              ocel_ellipse_t *ellipse) {
-    const int64_t z_q30 = cone->axis_cam_q30[2];
-    const int64_t sin_q30 = (int64_t)cone->sin_q30;
+    const int32_t z_q30 = cone->axis_cam_q30[2];
+    const int32_t sin_q30 = (int32_t)cone->sin_q30;
     ocel_status_t status = OCEL_NOT_AN_ELLIPSE;
     cut_t cut;
 
-    cut.w_q60 = (z_q30 * z_q30) - (sin_q30 * sin_q30);
+    cut.w_q60 = ((int64_t)z_q30 * z_q30) - ((int64_t)sin_q30 * sin_q30);
     cut.sin_q60 = sin_q30 * (int64_t)OCEL_ONE_Q30;
     if ((z_q30 > 0) && (cut.w_q60 >= AHEAD_MIN_Q60)) {
         ocel_recip_q60((uint64_t)cut.w_q60, &cut.inverse.y_q60, &cut.inverse.e);
