@@ -131,28 +131,42 @@ static inline void widen(int32_t side[2], int32_t v) {
     side[1] = (v > side[1]) ? v : side[1];
 }
 
-/* Widens a box, x and y, to hold the points. */
-static void box_of(const ocel_cone_source_t *source, int32_t box_px_q16[2][2]) {
-    /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_cone */
-    for (uint32_t i = 0U; i < source->count; i++) {
-        int32_t xy_px_q16[2];
+/* The points' box, Q16 px; cracks are compared as they are, for speed. */
+static void box_of(const ocel_cone_source_t *source, int32_t x_px_q16[2], int32_t y_px_q16[2]) {
+    int32_t x[2] = {INT32_MAX, INT32_MIN};
+    int32_t y[2] = {INT32_MAX, INT32_MIN};
+    const int32_t unit_q16 = (source->points != NULL) ? 1 : 32768;
 
-        ocel_cone_pixel(source, i, xy_px_q16);
-        widen(box_px_q16[0], xy_px_q16[0]);
-        widen(box_px_q16[1], xy_px_q16[1]);
+    if (source->points != NULL) {
+        /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_cone */
+        for (uint32_t i = 0U; i < source->count; i++) {
+            widen(x, source->points[i].x_px_q16);
+            widen(y, source->points[i].y_px_q16);
+        }
+    } else {
+        /* bound: OCEL_MAX_FIT_POINTS; OCEL_MAX_CRACKS each time in a call of ocel_eye_cone */
+        for (uint32_t i = 0U; i < source->count; i++) {
+            widen(x, source->cracks[i].x_hpx);
+            widen(y, source->cracks[i].y_hpx);
+        }
+    }
+    for (uint32_t k = 0U; k < 2U; k++) { /* bound: 2 */
+        x_px_q16[k] = x[k] * unit_q16;
+        y_px_q16[k] = y[k] * unit_q16;
     }
 }
 
 bool ocel_cone_is_plain(const ocel_cone_source_t *source) {
     bool plain = !source->camera->distorted;
-    int32_t box_px_q16[2][2] = {{INT32_MAX, INT32_MIN}, {INT32_MAX, INT32_MIN}};
+    int32_t x_px_q16[2];
+    int32_t y_px_q16[2];
 
-    box_of(source, box_px_q16);
+    box_of(source, x_px_q16, y_px_q16);
     for (uint32_t k = 0U; k < 4U; k++) { /* bound: 4 */
         int32_t xy_q28[2];
 
-        plain = plain && ocel_camera_normalise(source->camera, box_px_q16[0][k & 1U],
-                                               box_px_q16[1][k >> 1U], xy_q28);
+        plain = plain &&
+                ocel_camera_normalise(source->camera, x_px_q16[k & 1U], y_px_q16[k >> 1U], xy_q28);
     }
     return plain;
 }

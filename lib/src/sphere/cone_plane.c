@@ -20,9 +20,9 @@ bool ocel_cone_plane(const int64_t abc[3], const ocel_cone_place_t *place,
         const int32_t a_q28 = (int32_t)abc[0];
         const int32_t b_q28 = (int32_t)abc[1];
         const int32_t c_q25 = (int32_t)abc[2];
-        const int32_t a_q24 = ocel_asr32(a_q28, 4U);
-        const int32_t b_q24 = ocel_asr32(b_q28, 4U);
-        const int32_t c_q24 = ocel_asr32(c_q25, 1U);
+        const int_fast32_t a_q24 = ocel_asr32(a_q28, 4U);
+        const int_fast32_t b_q24 = ocel_asr32(b_q28, 4U);
+        const int_fast32_t c_q24 = ocel_asr32(c_q25, 1U);
         const int64_t t2_q48 = ((int64_t)a_q24 * a_q24) + ((int64_t)b_q24 * b_q24) +
                                ((int64_t)c_q25 * 0x1000000) -
                                ocel_asr64((int64_t)c_q24 * c_q24, h2_log2);

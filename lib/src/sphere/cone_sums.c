@@ -26,10 +26,10 @@
 #define HALF_Q28 ((uint64_t)1U << 27U)
 
 /* A point's distance in px from the circle; a within 1/2, so the distance is below R. */
-static inline int32_t distance_px_q16(const ocel_cone_circle_t *circle, int32_t a_q28) {
-    const int32_t a_px_q16 = (int32_t)ocel_asr64((int64_t)a_q28 * circle->r_px_q16, 28U);
+static inline int32_t distance_px_q16(const ocel_cone_circle_t *circle, int_fast32_t a_q28) {
+    const int_fast32_t a_px_q16 = (int_fast32_t)ocel_asr64((int64_t)a_q28 * circle->r_px_q16, 28U);
 
-    return a_px_q16 - (int32_t)ocel_asr64((int64_t)a_px_q16 * a_q28, 29U);
+    return (int32_t)(a_px_q16 - (int_fast32_t)ocel_asr64((int64_t)a_px_q16 * a_q28, 29U));
 }
 
 /* v within -half .. half - 1, half a power of two: one comparison. */
@@ -43,8 +43,8 @@ static inline bool is_near(int32_t d_px_q16, int32_t gate_px_q16) {
 
 /* Half of a crack across the outline: by its direction's component `side` along the crack,
  * below 16, and half_px_q16, below 2^25. */
-static inline int32_t half_across(int32_t side_q24, int32_t half_px_q16) {
-    const int32_t size_q24 = (side_q24 < 0) ? -side_q24 : side_q24;
+static inline int32_t half_across(int_fast32_t side_q24, int32_t half_px_q16) {
+    const int_fast32_t size_q24 = (int_fast32_t)ocel_abs64(side_q24);
     const int64_t half = ocel_asr64((int64_t)size_q24 * half_px_q16, 24U);
 
     return (int32_t)((half > HALF_MAX_PX_Q16) ? HALF_MAX_PX_Q16 : half);
@@ -74,17 +74,18 @@ static inline void sum_point(const ocel_cone_circle_t *circle, int32_t a, int32_
     const ocel_cone_map_t *scaled = &circle->scaled;
     const int64_t x_q24 = ocel_asr64(ocel_cone_component_q58(scaled, 0U, a, b), circle->side_down);
     const int64_t y_q24 = ocel_asr64(ocel_cone_component_q58(scaled, 1U, a, b), circle->side_down);
-    const int32_t z_q24 = (int32_t)ocel_asr64(ocel_cone_component_q58(scaled, 2U, a, b), 34U);
+    const int_fast32_t z_q24 =
+        (int_fast32_t)ocel_asr64(ocel_cone_component_q58(scaled, 2U, a, b), 34U);
 
     /* Both below 2^29 when their bits together are. */
     if ((((uint64_t)x_q24 + SIDE_Q24) | ((uint64_t)y_q24 + SIDE_Q24)) < (2U * SIDE_Q24)) {
-        const int32_t x = (int32_t)x_q24;
-        const int32_t y = (int32_t)y_q24;
+        const int_fast32_t x = (int_fast32_t)x_q24;
+        const int_fast32_t y = (int_fast32_t)y_q24;
         const uint32_t sector = ocel_sector_of(x, y);
         const int64_t a_q28 =
             ocel_asr64(((int64_t)x * x) + ((int64_t)y * y) - ((int64_t)z_q24 * z_q24), 21U);
         const int32_t d_px_q16 =
-            is_between(a_q28, HALF_Q28) ? distance_px_q16(circle, (int32_t)a_q28) : FAR;
+            is_between(a_q28, HALF_Q28) ? distance_px_q16(circle, (int_fast32_t)a_q28) : FAR;
         const int32_t half_px_q16 = half_across((along != 0U) ? x : y, circle->half_px_q16[along]);
         const int32_t gate_px_q16 = circle->gate_px_q16 + half_px_q16;
 

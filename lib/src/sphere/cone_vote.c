@@ -49,7 +49,7 @@ static bool plane_through(const ocel_cone_samples_t *s, uint32_t i, uint32_t j, 
         const int64_t y_q31 = ocel_recip32((uint32_t)((ocel_abs64(area_q26) << up) >> 32U));
         int64_t abc[3] = {cross(e1, v1, e2, v2), cross(u1, e1, u2, e2), s->e_q25[i]};
 
-        for (uint32_t side = 0U; side < 2U; side++) { /* bound: 2, A and B */
+        for (uint32_t side = 0U; side < 2U; side++) { /* bound: 2 slopes */
             const int64_t quotient = ocel_asr64(ocel_asr64(abc[side], 5U) * y_q31, 77U - up);
             const int32_t slope_q12 = (int32_t)((quotient ^ sign) - sign);
 
