@@ -297,42 +297,55 @@ static ocel_pixel_t read_rgb24(const ocel_colour_t *colour, const uint8_t *line,
     return rgb;
 }
 
-/* Clears the bits of the pixels, of a line of YUYV or of three bytes a pixel, that are not
- * in range after all.  For each a copy: what the other's pixels take is not this one's. */
-static inline void decide_line(const ocel_colour_t *colour, bool is_yuyv, const uint8_t *line,
-                               uint32_t pixels, uint32_t *row) {
+/* Clears the bit of a pixel that is not in range after all. */
+static inline void decide(const ocel_colour_t *colour, const ocel_pixel_t *rgb, uint32_t x,
+                          uint32_t *row) {
+    if (!rgb_in_range(&colour->range, rgb)) {
+        row[x >> 5U] &= ~(1U << (x & 31U));
+    }
+}
+
+/* A test that passes all in range, then, where it is not exact, the definition: for each
+ * format a loop, so that no path, and so no bound, has one's test and another's pixels. */
+static void do_yuyv(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
+                    uint32_t *row) {
+    const uint32_t undecided = (colour->exact == 0U) ? pixels : 0U;
+
+    ocel_row16_yuyv(colour->lanes, line, pixels, row);
     /* bound: OCEL_ROW_WORDS; 1 each time in a call of do_tail */
-    for (uint32_t x0 = 0U; x0 < pixels; x0 += 32U) {
+    for (uint32_t x0 = 0U; x0 < undecided; x0 += 32U) {
         uint32_t passed = row[x0 >> 5U];
 
         /* bound: 32 bits of a word; 16 each time in a call of do_tail;
          * OCEL_MAX_WIDTH in all rounds of the outer loop */
         while (passed != 0U) {
-            const uint32_t k = ocel_ctz32(passed);
-            const ocel_pixel_t rgb =
-                is_yuyv ? read_yuyv(line, x0 + k) : read_rgb24(colour, line, x0 + k);
+            const uint32_t x = x0 + ocel_ctz32(passed);
+            const ocel_pixel_t rgb = read_yuyv(line, x);
 
             passed &= passed - 1U;
-            if (!rgb_in_range(&colour->range, &rgb)) {
-                row[x0 >> 5U] &= ~(1U << k);
-            }
+            decide(colour, &rgb, x, row);
         }
-    }
-}
-
-static void do_yuyv(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
-                    uint32_t *row) {
-    ocel_row16_yuyv(colour->lanes, line, pixels, row);
-    if (colour->exact == 0U) {
-        decide_line(colour, true, line, pixels, row);
     }
 }
 
 static void do_rgb24(const ocel_colour_t *colour, const uint8_t *line, uint32_t pixels,
                      uint32_t *row) {
+    const uint32_t undecided = (colour->exact == 0U) ? pixels : 0U;
+
     ocel_row24_box(colour->lanes, colour->at, line, pixels, row);
-    if (colour->exact == 0U) {
-        decide_line(colour, false, line, pixels, row);
+    /* bound: OCEL_ROW_WORDS; 1 each time in a call of do_tail */
+    for (uint32_t x0 = 0U; x0 < undecided; x0 += 32U) {
+        uint32_t passed = row[x0 >> 5U];
+
+        /* bound: 32 bits of a word; 16 each time in a call of do_tail;
+         * OCEL_MAX_WIDTH in all rounds of the outer loop */
+        while (passed != 0U) {
+            const uint32_t x = x0 + ocel_ctz32(passed);
+            const ocel_pixel_t rgb = read_rgb24(colour, line, x);
+
+            passed &= passed - 1U;
+            decide(colour, &rgb, x, row);
+        }
     }
 }
 

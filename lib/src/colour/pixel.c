@@ -6,6 +6,13 @@
 
 #include "../base/int_math.h"
 
+/* The inverse of BT.601 in Q16 (ITU-T T.871, section 7): 1.402, 0.344136,
+ * 0.714136 and 1.772. */
+#define V_TO_R_Q16 91881
+#define U_TO_G_Q16 22554
+#define V_TO_G_Q16 46802
+#define U_TO_B_Q16 116130
+
 static uint32_t widen5(uint32_t v) {
     return (v << 3U) | (v >> 2U);
 }
@@ -47,20 +54,15 @@ static uint32_t clip_q16(int32_t v_q16) {
     return (above < 255) ? (uint32_t)above : 255U;
 }
 
-/* The inverse of BT.601 (ITU-T T.871, section 7): R = Y + 1.402 V, G = Y - 0.344136 U -
- * 0.714136 V, B = Y + 1.772 U.  |y| < 2^24 and |coefficient * 128| < 2^24: sums
- * below 2^26. */
+/* |y| < 2^24 and |coefficient * 128| < 2^24: sums below 2^26. */
 ocel_pixel_t ocel_pixel_from_yuv(const ocel_pixel_t *yuv) {
-    static const int32_t u_to_rgb_q16[3] = {0, -22554, 116130};
-    static const int32_t v_to_rgb_q16[3] = {91881, -46802, 0};
     const int32_t y_q16 = ((int32_t)yuv->c[0] * 65536) + 32768; /* the half that rounds */
     const int32_t u = (int32_t)yuv->c[1] - 128;
     const int32_t v = (int32_t)yuv->c[2] - 128;
-    ocel_pixel_t rgb;
+    const ocel_pixel_t rgb = {{clip_q16(y_q16 + (V_TO_R_Q16 * v)),
+                               clip_q16(y_q16 - (U_TO_G_Q16 * u) - (V_TO_G_Q16 * v)),
+                               clip_q16(y_q16 + (U_TO_B_Q16 * u))}};
 
-    for (uint32_t k = 0U; k < 3U; k++) { /* bound: 3 channels; 0 each time in a call of do_rgb24 */
-        rgb.c[k] = clip_q16(y_q16 + (u_to_rgb_q16[k] * u) + (v_to_rgb_q16[k] * v));
-    }
     return rgb;
 }
 

@@ -209,7 +209,7 @@ static inline ocel_word_t both(ocel_word_t uv) {
     return uv & (uv >> 16U) & U_OF_UV & OCEL_TOP_BITS;
 }
 
-void ocel_row16_yuyv(const uint32_t lanes[3][4], const uint8_t *line, uint32_t pixels,
+void ocel_row16_yuyv(const uint32_t lanes[][4], const uint8_t *line, uint32_t pixels,
                      uint32_t *row) {
     const ocel_lane_range_t y = ocel_lane_range(lanes[0]);
     const ocel_lane_range_t uv = ocel_lane_range(lanes[1]);

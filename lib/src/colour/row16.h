@@ -24,7 +24,7 @@ void ocel_row16_table(const ocel_row16_table_t *table, const uint8_t *line, uint
 
 /* Sets the bits of exactly the pixels whose Y is in the range lanes[0], and whose
  * U and V are in those of bytes 0 and 1 and of bytes 2 and 3 of lanes[1]. */
-void ocel_row16_yuyv(const uint32_t lanes[3][4], const uint8_t *line, uint32_t pixels,
+void ocel_row16_yuyv(const uint32_t lanes[][4], const uint8_t *line, uint32_t pixels,
                      uint32_t *row);
 
 /* Sets the bits of exactly the pixels in the range lanes. */

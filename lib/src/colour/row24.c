@@ -239,7 +239,7 @@ static void box_from(const glance_t *first, const uint32_t lanes[3][4], const ui
 
 #endif
 
-void ocel_row24_box(const uint32_t lanes[3][4], const uint8_t at[3], const uint8_t *line,
+void ocel_row24_box(const uint32_t lanes[][4], const uint8_t at[3], const uint8_t *line,
                     uint32_t pixels, uint32_t *row) {
     const glance_t first = glance_at(lanes[0], at[0]);
     const uint32_t x = look_on(&first, line, pixels);

@@ -12,7 +12,7 @@
  *   line    3 * pixels bytes
  *   pixels  a multiple of 16
  *   row     zeros on entry; bit x % 32 of word x / 32 is pixel x. */
-void ocel_row24_box(const uint32_t lanes[3][4], const uint8_t at[3], const uint8_t *line,
+void ocel_row24_box(const uint32_t lanes[][4], const uint8_t at[3], const uint8_t *line,
                     uint32_t pixels, uint32_t *row);
 
 #endif
