@@ -53,12 +53,12 @@ static void chain(const ocel_head_model_t *model, const int32_t *joints_q32, int
     *X_root_eye = model->X_root_base;
     for (uint32_t n = 0U; n < model->link_count; n++) { /* bound: OCEL_MAX_HEAD_LINKS = 8 */
         const ocel_head_link_t *link = &model->links[n];
-        const int64_t a_u = link->a_u;
-        const int64_t d_u = (int64_t)link->d_u + ((int64_t)side * link->d_side_u);
+        const int32_t d_u = (int32_t)((int64_t)link->d_u + ((int64_t)side * link->d_side_u));
 
         turn_axes(X_root_eye->r_q30, 0U, link_turn(link, joints_q32, side));
         for (uint32_t i = 0U; i < 3U; i++) { /* bound: 3 axes */
-            p_q30[i] += (a_u * X_root_eye->r_q30[i][0]) + (d_u * X_root_eye->r_q30[i][2]);
+            p_q30[i] += ((int64_t)link->a_u * X_root_eye->r_q30[i][0]) +
+                        ((int64_t)d_u * X_root_eye->r_q30[i][2]);
         }
         turn_axes(X_root_eye->r_q30, 1U, (uint32_t)link->alpha_q32);
     }
