@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Samples of the points as unit vectors, in a frame that looks at the points:
- * (u, v, 1 - e), u and v in units of h and e of h^2 (cone_vote.c).
+ * (u, v, 1 - e), u and v in units of h and e of h^2 (cone_plane.h).
  */
 #ifndef OCELLUS_CONE_SAMPLES_H
 #define OCELLUS_CONE_SAMPLES_H
