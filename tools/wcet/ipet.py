@@ -349,7 +349,10 @@ class Analysis:
                 bound = self.matched(clone.flow.name)[group[0]]
                 for clause, limit in bound.limits:
                     whole = clone.within(clause.names)
-                    if clause.scope == "total" and whole:
+                    if clause.scope == "mean" and whole:
+                        most.add(self._rounds_of(clone, group) +
+                                 [(v, -float(limit)) for v in clone.entering(group[0])])
+                    elif clause.scope == "total" and whole:
                         for key in {bound.loop, clause.group or bound.loop}:
                             over[(whole, key, limit)] += self._rounds_of(clone, group)
         self._add_up_groups(clones, over)
@@ -357,16 +360,17 @@ class Analysis:
             most.add(terms + [(whole.entry, -float(limit))])
 
     def _add_up_groups(self, clones, over):
-        """Statements that are counted among a group: each by the first of its places, which
-        is executed no more often than it, or where all of it is a loop by what comes to that."""
+        """Statements that are counted among a group: each by its call, or by the first of its
+        places, which are executed no more often than it, or where all of it is a loop by what
+        comes to that."""
         for clone in clones:
             for note, path, calls, others, looping in self.statements(clone.flow.name):
                 for clause in note.clauses:
                     whole = clone.within(clause.names)
                     if clause.group and whole:
                         limit = self.matcher.annotations.value(path, clause)
-                        if calls + others:
-                            come_to = clone.into[clone.flow.first_of(calls + others)]
+                        if calls or others:
+                            come_to = clone.into[clone.flow.first_of(calls or others)]
                         else:
                             come_to = self._coming_to_loop(clone, looping)
                         over[(whole, clause.group, limit)] += [(v, 1.0) for v in come_to]

@@ -17,6 +17,7 @@ place at its end for which it holds:
   E words in a call of NAME                     the same
   E words as GROUP in a call of NAME            the same, all of the group added up too
   E words each time in a call of NAME           each time, when that function is calling
+  E words a time in a call of NAME              times E as often as it is come to, added up
 
 NAME may be several, with `or` between.
 """
@@ -31,11 +32,12 @@ _ATOM = r"\(*\s*(?:sizeof\(\w+\)|(?:\d+U?|[A-Z][A-Z0-9_]*)\b)(?:\s*\))*"
 EXPRESSION = re.compile(rf"{_ATOM}(?:\s*[-+*/]\s*{_ATOM})*")
 VALUE = re.compile(r"\s*=\s*(\d+)\b")
 OUTER = re.compile(r"\bin all rounds of the outer loop$")
-CALL = re.compile(r"(\beach time )?(?:\bas (\w+) )?\bin a call of (\w+(?: or \w+)*)$")
+CALL = re.compile(r"(\b(?:each|a) time )?(?:\bas (\w+) )?\bin a call of (\w+(?: or \w+)*)$")
+_SCOPES = {None: "total", "each time ": "each", "a time ": "mean"}
 WORDS = re.compile(r"[a-z0-9 ,'()-]*$")
 
 Clause = collections.namedtuple("Clause", "expression value scope names group")
-"""scope: entry (each time), outer (in all rounds of the outer loop), total or each (in a
+"""scope: entry (each time), outer (in all rounds of the outer loop), total, each or mean (in a
 call of one of the functions `names`); value: what `= N` says; group: of a total, or None."""
 
 Note = collections.namedtuple("Note", "kind first last clauses")
@@ -79,7 +81,7 @@ def read_clause(text):
     if outer:
         scope, rest = "outer", rest[:outer.start()]
     elif call:
-        scope, group = "each" if call.group(1) else "total", call.group(2)
+        scope, group = _SCOPES[call.group(1)], call.group(2)
         names, rest = tuple(call.group(3).split(" or ")), rest[:call.start()]
     if not WORDS.match(rest):
         raise Malformed(f"`{rest}` after the expression: words only")

@@ -13,7 +13,7 @@
 /* There is at most one free cell, which is the pair's head then. */
 ocel_crack_pair_t ocel_crack_take_pair_slowly(ocel_crack_pool_t *pool,
                                               ocel_crack_ledger_t *ledger) {
-    /* at most: 1; OCEL_MAX_CRACKS + 3 * OCEL_MAX_RUNS as cells in a call of ocel_sweep_row */
+    /* at most: 1; OCEL_MAX_CRACKS + 2 * OCEL_MAX_RUNS + 2 as cells in a call of ocel_sweep_row */
     const uint32_t fresh = ledger->fresh;
     const uint32_t wanted = (ledger->free != OCEL_NO_CELL) ? 1U : 2U;
     ocel_crack_pair_t pair = {OCEL_NO_CELL, OCEL_NO_CELL};
@@ -22,7 +22,7 @@ ocel_crack_pair_t ocel_crack_take_pair_slowly(ocel_crack_pool_t *pool,
         pair.head = (wanted == 1U) ? (uint32_t)ledger->free : fresh;
         pair.tail = fresh + (wanted - 1U);
         ledger->free = OCEL_NO_CELL;
-        /* at most: 1; OCEL_MAX_CRACKS + 3 * OCEL_MAX_RUNS as cells in a call of ocel_sweep_row;
+        /* at most: 1; OCEL_MAX_CRACKS + 2 * OCEL_MAX_RUNS + 2 as cells in a call of ocel_sweep_row;
          * OCEL_MAX_CRACKS in a call of ocel_eye_frame */
         ledger->fresh = (uint16_t)(fresh + wanted);
         ocel_crack_set_link(pool, pair.head, pair.tail);
@@ -38,14 +38,15 @@ void ocel_crack_give_from(ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger, 
 
         /* bound: OCEL_MAX_CRACKS; OCEL_MAX_CRACKS + OCEL_MAX_RUNS in a call of
          * ocel_sweep_row or ocel_sweep_repeat;
-         * OCEL_MAX_CRACKS + 3 * OCEL_MAX_RUNS as cells in a call of ocel_sweep_row;
+         * OCEL_MAX_CRACKS + 2 * OCEL_MAX_RUNS + 2 as cells in a call of ocel_sweep_row;
          * OCEL_MAX_CRACKS + 8 * OCEL_MAX_RUNS in a call of ocel_label_row;
          * OCEL_MAX_CRACKS + 6 * OCEL_MAX_RUNS in a call of ocel_label_end;
-         * 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS in a call of ocel_eye_frame */
+         * 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as taken in a call of ocel_eye_frame */
         while (link != OCEL_NO_CELL) {
             tail = link;
             link = ocel_crack_link(pool, link);
         }
+        /* at most: 1; 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as taken in a call of ocel_eye_frame */
         ocel_crack_give(pool, ledger, head, tail);
     }
 }
@@ -136,6 +137,7 @@ typedef struct {
 static inline void put_point(point_sink_t *sink, int32_t x_hpx, int32_t y_hpx) {
     sink->next--;
     if (sink->next == 0U) {
+        /* at most: 1; OCEL_MAX_CRACKS in a call of ocel_crack_unroll */
         sink->point[sink->count].x_hpx = (int16_t)x_hpx;
         sink->point[sink->count].y_hpx = (int16_t)y_hpx;
         sink->count++;

@@ -11,12 +11,13 @@
 
 /* ---- Labels: sets of those that have met in this row ---- */
 
-/* Labels given a new root in a row.  The smaller set goes to the larger one, so a label's
- * set doubles each time: OCEL_MAX_LABELS / 2 * log2(OCEL_MAX_LABELS) in all. */
-#if OCEL_MAX_LABELS <= 256
-#define MOVES (4 * OCEL_MAX_LABELS)
+/* Labels given a new root for a union, over a row.  The smaller set goes to the larger one,
+ * so that a label's set doubles each time: a set of m takes m - 1 unions and at most
+ * m / 2 * log2(m) moves. */
+#if OCEL_MAX_LABELS <= 240
+#define MOVES 4
 #else
-#define MOVES (6 * OCEL_MAX_LABELS)
+#define MOVES 6
 #endif
 
 /* A new label with one run; labeller.h proves that there is one. */
@@ -53,7 +54,7 @@ static inline void move_set(ocel_labeller_t *lab, uint32_t root, uint32_t part) 
     uint32_t label = part;
     uint32_t last;
 
-    do { /* bound: OCEL_MAX_LABELS; MOVES in a call of ocel_sweep_row */
+    do { /* bound: OCEL_MAX_LABELS; MOVES a time in a call of ocel_sweep_row */
         lab->root[label] = (uint16_t)root;
         last = label;
         label = lab->peer[label];
@@ -115,8 +116,10 @@ void ocel_frontier_set(ocel_labeller_t *lab, const ocel_run_t *first, ocel_run_t
 
 void ocel_frontier_lose(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t root,
                         uint32_t chain) {
+    /* at most: 1; 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as taken in a call of ocel_eye_frame */
     lab->live[root] |= OCEL_LOST;
-    /* at most: 1; OCEL_MAX_RUNS as losses in a call of ocel_sweep_row */
+    /* at most: 1; OCEL_MAX_RUNS as losses in a call of ocel_sweep_row;
+     * 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as taken in a call of ocel_eye_frame */
     ocel_crack_give_from(pool, &lab->ledger, chain);
 }
 
@@ -135,7 +138,13 @@ uint32_t ocel_frontier_settle(ocel_labeller_t *lab, ocel_crack_pool_t *pool, oce
      * 2 * OCEL_MAX_RUNS as born in a call of ocel_label_end;
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as runs in a call of ocel_eye_frame;
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame;
-     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as sums in a call of ocel_eye_frame */
+     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as sums in a call of ocel_eye_frame;
+     * 3 * OCEL_MAX_RUNS as absorbed in a call of ocel_label_row;
+     * 2 * OCEL_MAX_RUNS as absorbed in a call of ocel_label_end;
+     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as absorbed in a call of ocel_eye_frame;
+     * 5 * OCEL_MAX_RUNS as all in a call of ocel_label_row;
+     * 4 * OCEL_MAX_RUNS as all in a call of ocel_label_end;
+     * 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as all in a call of ocel_eye_frame */
     run->label = (uint16_t)root;
     run->head = (uint16_t)pair.head;
     run->tail = (uint16_t)pair.tail;
@@ -187,7 +196,10 @@ static void end_run(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *r
         head = OCEL_NO_CELL;
     }
     if ((live & ~OCEL_LOST) == 0U) {
-        /* at most: 1; OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as labels in a call of ocel_eye_frame */
+        /* at most: 1; OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as labels in a call of ocel_eye_frame;
+         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as lives in a call of ocel_eye_frame;
+         * 3 * OCEL_MAX_RUNS as labels in a call of ocel_label_row;
+         * 2 * OCEL_MAX_RUNS as labels in a call of ocel_label_end */
         end_component(lab, pool, root, head, tail, ended);
     } else if (head != OCEL_NO_CELL) {
         ocel_crack_set_link(pool, tail, head);
@@ -211,14 +223,18 @@ ocel_run_t *ocel_frontier_end(ocel_labeller_t *lab, ocel_crack_pool_t *pool, oce
 
     /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS as parents in a call of ocel_sweep_row;
      * OCEL_MAX_RUNS as columns in a call of ocel_sweep_row;
-     * OCEL_MAX_RUNS as heirs in a call of ocel_sweep_row */
-    while (at->end <= start) {
+     * OCEL_MAX_RUNS as heirs in a call of ocel_sweep_row;
+     * 5 * OCEL_MAX_RUNS as all in a call of ocel_label_row;
+     * 4 * OCEL_MAX_RUNS as all in a call of ocel_label_end;
+     * 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as all in a call of ocel_eye_frame;
+     * (OCEL_MAX_HEIGHT + 1) * OCEL_MAX_RUNS as fates in a call of ocel_eye_frame */
+    do {
         if (is_noise(lab, at, ended)) {
             lab->stats.components++;
         } else {
             end_run(lab, pool, at, ended);
         }
         at = ocel_frontier_after(lab, at);
-    }
+    } while (at->end <= start);
     return at;
 }

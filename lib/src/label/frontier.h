@@ -134,8 +134,8 @@ uint32_t ocel_frontier_unite(ocel_labeller_t *lab, uint32_t a, uint32_t b);
  * taken again parent[] tells the root of each. */
 void ocel_frontier_release(ocel_labeller_t *lab);
 
-/* Ends the runs above, from `run` on, that touch nothing from column `start` on:
- * they have no child.  Returns the first that does. */
+/* Ends the runs above, from `run` on, that touch nothing from column `start` on: they
+ * have no child, and `run` is one of them.  Returns the first that does. */
 ocel_run_t *ocel_frontier_end(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *run,
                               uint32_t start, ocel_ended_t *ended);
 

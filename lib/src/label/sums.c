@@ -60,13 +60,15 @@ void ocel_sums_add_row(ocel_labeller_t *lab, const uint32_t *holes) {
             /* bound: OCEL_MAX_RUNS in all rounds of the outer loop;
              * OCEL_MAX_RUNS as places in a call of ocel_sweep_row;
              * OCEL_MAX_RUNS as places in a call of ocel_label_end;
-             * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame */
+             * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame;
+             * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as lives in a call of ocel_eye_frame */
             do {
                 end = (uint32_t)run->end - reach;
                 ocel_row_sums_add(&sums, run->start, end);
                 /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS as places in a call of ocel_sweep_row;
                  * OCEL_MAX_RUNS as places in a call of ocel_label_end;
-                 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame */
+                 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame;
+                 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as lives in a call of ocel_eye_frame */
                 while (scan.column < end) {
                     ocel_row_sums_drop(&sums, scan.column);
                     next_hole(&scan);
@@ -88,7 +90,10 @@ void ocel_sums_add_repeats(ocel_labeller_t *lab) {
     ocel_run_t *run = &lab->frontier[lab->first_run];
 
     /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS as olds in a call of ocel_sweep_row;
+     * 3 * OCEL_MAX_RUNS as born in a call of ocel_label_row;
+     * 2 * OCEL_MAX_RUNS as born in a call of ocel_label_end;
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame;
+     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as lives in a call of ocel_eye_frame;
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as sums in a call of ocel_eye_frame */
     while (run->label != OCEL_NO_LABEL) {
         ocel_component_repeat(&lab->component[run->label], run->start,
