@@ -13,7 +13,8 @@
 /* There is at most one free cell, which is the pair's head then. */
 ocel_crack_pair_t ocel_crack_take_pair_slowly(ocel_crack_pool_t *pool,
                                               ocel_crack_ledger_t *ledger) {
-    /* at most: 1; OCEL_MAX_CRACKS + 2 * OCEL_MAX_RUNS + 2 as cells in a call of ocel_sweep_row */
+    /* at most: 1; OCEL_MAX_CRACKS + 2 * OCEL_MAX_RUNS + 2 as cells in a call of ocel_sweep_row or
+     * ocel_sweep_repeat */
     const uint32_t fresh = ledger->fresh;
     const uint32_t wanted = (ledger->free != OCEL_NO_CELL) ? 1U : 2U;
     ocel_crack_pair_t pair = {OCEL_NO_CELL, OCEL_NO_CELL};
@@ -22,8 +23,8 @@ ocel_crack_pair_t ocel_crack_take_pair_slowly(ocel_crack_pool_t *pool,
         pair.head = (wanted == 1U) ? (uint32_t)ledger->free : fresh;
         pair.tail = fresh + (wanted - 1U);
         ledger->free = OCEL_NO_CELL;
-        /* at most: 1; OCEL_MAX_CRACKS + 2 * OCEL_MAX_RUNS + 2 as cells in a call of ocel_sweep_row;
-         * OCEL_MAX_CRACKS in a call of ocel_eye_frame */
+        /* at most: 1; OCEL_MAX_CRACKS + 2 * OCEL_MAX_RUNS + 2 as cells in a call of ocel_sweep_row
+         * or ocel_sweep_repeat; OCEL_MAX_CRACKS in a call of ocel_eye_frame */
         ledger->fresh = (uint16_t)(fresh + wanted);
         ocel_crack_set_link(pool, pair.head, pair.tail);
         ocel_crack_set_link(pool, pair.tail, OCEL_NO_CELL);
@@ -38,8 +39,8 @@ void ocel_crack_give_from(ocel_crack_pool_t *pool, ocel_crack_ledger_t *ledger, 
 
         /* bound: OCEL_MAX_CRACKS; OCEL_MAX_CRACKS + OCEL_MAX_RUNS in a call of
          * ocel_sweep_row or ocel_sweep_repeat;
-         * OCEL_MAX_CRACKS + 2 * OCEL_MAX_RUNS + 2 as cells in a call of ocel_sweep_row;
-         * OCEL_MAX_CRACKS + 8 * OCEL_MAX_RUNS in a call of ocel_label_row;
+         * OCEL_MAX_CRACKS + 2 * OCEL_MAX_RUNS + 2 as cells in a call of ocel_sweep_row or
+         * ocel_sweep_repeat; OCEL_MAX_CRACKS + 8 * OCEL_MAX_RUNS in a call of ocel_label_row;
          * OCEL_MAX_CRACKS + 6 * OCEL_MAX_RUNS in a call of ocel_label_end;
          * 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as taken in a call of ocel_eye_frame */
         while (link != OCEL_NO_CELL) {

@@ -118,7 +118,7 @@ void ocel_frontier_lose(ocel_labeller_t *lab, ocel_crack_pool_t *pool, uint32_t 
                         uint32_t chain) {
     /* at most: 1; 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as taken in a call of ocel_eye_frame */
     lab->live[root] |= OCEL_LOST;
-    /* at most: 1; OCEL_MAX_RUNS as losses in a call of ocel_sweep_row;
+    /* at most: 1; OCEL_MAX_RUNS as losses in a call of ocel_sweep_row or ocel_sweep_repeat;
      * 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as taken in a call of ocel_eye_frame */
     ocel_crack_give_from(pool, &lab->ledger, chain);
 }
@@ -129,7 +129,7 @@ uint32_t ocel_frontier_settle(ocel_labeller_t *lab, ocel_crack_pool_t *pool, oce
     const ocel_crack_pair_t pair = ocel_frontier_take_edges(lab, pool, run->start, end);
 
     if (pair.head == OCEL_NO_CELL) {
-        /* at most: 1; OCEL_MAX_RUNS as losses in a call of ocel_sweep_row */
+        /* at most: 1; OCEL_MAX_RUNS as losses in a call of ocel_sweep_row or ocel_sweep_repeat */
         lab->live[root] |= OCEL_LOST;
     }
 
@@ -141,10 +141,7 @@ uint32_t ocel_frontier_settle(ocel_labeller_t *lab, ocel_crack_pool_t *pool, oce
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as sums in a call of ocel_eye_frame;
      * 3 * OCEL_MAX_RUNS as absorbed in a call of ocel_label_row;
      * 2 * OCEL_MAX_RUNS as absorbed in a call of ocel_label_end;
-     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as absorbed in a call of ocel_eye_frame;
-     * 5 * OCEL_MAX_RUNS as all in a call of ocel_label_row;
-     * 4 * OCEL_MAX_RUNS as all in a call of ocel_label_end;
-     * 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as all in a call of ocel_eye_frame */
+     * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as absorbed in a call of ocel_eye_frame */
     run->label = (uint16_t)root;
     run->head = (uint16_t)pair.head;
     run->tail = (uint16_t)pair.tail;
@@ -224,9 +221,6 @@ ocel_run_t *ocel_frontier_end(ocel_labeller_t *lab, ocel_crack_pool_t *pool, oce
     /* bound: OCEL_MAX_RUNS; OCEL_MAX_RUNS as parents in a call of ocel_sweep_row;
      * OCEL_MAX_RUNS as columns in a call of ocel_sweep_row;
      * OCEL_MAX_RUNS as heirs in a call of ocel_sweep_row;
-     * 5 * OCEL_MAX_RUNS as all in a call of ocel_label_row;
-     * 4 * OCEL_MAX_RUNS as all in a call of ocel_label_end;
-     * 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as all in a call of ocel_eye_frame;
      * (OCEL_MAX_HEIGHT + 1) * OCEL_MAX_RUNS as fates in a call of ocel_eye_frame */
     do {
         if (is_noise(lab, at, ended)) {

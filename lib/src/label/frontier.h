@@ -36,13 +36,27 @@
  *            taken that were never used are different ones.  With a cell too few for n
  *            times and none for n: OCEL_MAX_CRACKS + 3 n.
  *
- * In a frame of h rows, repeated ones among them:
+ * In a frame of h rows, and in the last sweep, over nothing.  Of a row's runs K have a parent
+ * and N have none, A parents are absorbed and E runs above end; U unions and the ends of
+ * components end labels, each of which was settled, S, and had been an N of the row before.
+ * A run that absorbs a parents spans the gaps between them, a columns and one behind it at
+ * the least.
  *
- *   runs     Runs with a parent, newborn ones that are settled in time, and those of rows
- *            that are repeated: h n.  places, sums: h n by the same division.
- *   labels   A union or an end ends a label, and each began with a newborn run, so they
- *            and runs with a parent: h n.
- *   rows     Rows are swept over, or repeat one and are added later: h. */
+ *   runs      K + N is n at most, or the row repeats the one above and its runs are counted
+ *             then: with S for N, h n.  places, sums: h n by the same division.
+ *   lives     places with U and ends for S: h n.  labels: K with U and ends, the same.
+ *   absorbed  A + N is n at most: with S for N, h n.  united: with U for S, the same.
+ *   fates     With 4-connectivity E + K + A is n at most, as each touch of a run and a parent
+ *             has a column of its own, and U counts among A.  With 8-connectivity it is
+ *             N + K + E, and U counts among N.  So E + K + U: (h + 1) n.
+ *   rows      Rows are swept over, or repeat one and are added later: h.
+ *   taken     Two cells are taken at most for a run with a parent and one that is settled,
+ *             and none for one that is lost: cells that are walked, walks, and what is lost
+ *             twice, 2 h n.
+ *
+ * A call of ocel_label_row that is asked what has ended sweeps over two rows, of which only
+ * the first may be repeated; one of ocel_label_end over one and over nothing.  So absorbed
+ * and labels are 3 n and 2 n, and S, K and repeats (born) are too. */
 
 /* No label: ends the lists of free and of merged labels. */
 #define OCEL_NO_LABEL 0x7FFFU

@@ -103,7 +103,7 @@ static inline void absorb_parent(ocel_labeller_t *lab, ocel_crack_pool_t *pool, 
     lab->live[s->root]--;
     if (lab->live[s->root] >= OCEL_LOST) {
         if (head != OCEL_NO_CELL) {
-            /* at most: OCEL_MAX_RUNS as losses in a call of ocel_sweep_row */
+            /* at most: OCEL_MAX_RUNS as losses in a call of ocel_sweep_row or ocel_sweep_repeat */
             ocel_crack_give_from(pool, &lab->ledger, head);
         }
     } else if (is_hole) {
@@ -128,10 +128,7 @@ static inline void continue_component(ocel_labeller_t *lab, ocel_crack_pool_t *p
          * 3 * OCEL_MAX_RUNS as absorbed in a call of ocel_label_row;
          * 2 * OCEL_MAX_RUNS as absorbed in a call of ocel_label_end;
          * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as absorbed in a call of ocel_eye_frame;
-         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as united in a call of ocel_eye_frame;
-         * 5 * OCEL_MAX_RUNS as all in a call of ocel_label_row;
-         * 4 * OCEL_MAX_RUNS as all in a call of ocel_label_end;
-         * 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as all in a call of ocel_eye_frame */
+         * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as united in a call of ocel_eye_frame */
         absorb_parent(lab, pool, s);
     }
     if ((lab->live[s->root] < OCEL_LOST) || (after != OCEL_NO_CELL)) {
@@ -147,9 +144,6 @@ static inline void continue_component(ocel_labeller_t *lab, ocel_crack_pool_t *p
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as labels in a call of ocel_eye_frame;
      * 3 * OCEL_MAX_RUNS as labels in a call of ocel_label_row;
      * 2 * OCEL_MAX_RUNS as labels in a call of ocel_label_end;
-     * 5 * OCEL_MAX_RUNS as all in a call of ocel_label_row;
-     * 4 * OCEL_MAX_RUNS as all in a call of ocel_label_end;
-     * 2 * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as all in a call of ocel_eye_frame;
      * (OCEL_MAX_HEIGHT + 1) * OCEL_MAX_RUNS as fates in a call of ocel_eye_frame */
     s->child->head = (uint16_t)pair.head;
     s->child->tail = (uint16_t)pair.tail;
