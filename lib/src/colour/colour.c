@@ -282,9 +282,8 @@ ocel_status_t ocel_colour_compile(ocel_colour_t *colour, const ocel_colour_range
 
 /* ---- Testing a line ---- */
 
-static ocel_pixel_t read_yuyv(const uint8_t *line, uint32_t x) {
-    const uint8_t *const pair = &line[4U * (x >> 1U)];
-    const ocel_pixel_t yuv = {{pair[2U * (x & 1U)], pair[1], pair[3]}};
+static ocel_pixel_t rgb_of_yuyv(const uint8_t *line, uint32_t x) {
+    const ocel_pixel_t yuv = ocel_pixel_of_yuyv(line, x);
 
     return ocel_pixel_from_yuv(&yuv);
 }
@@ -320,7 +319,7 @@ static void do_yuyv(const ocel_colour_t *colour, const uint8_t *line, uint32_t p
          * OCEL_MAX_WIDTH in all rounds of the outer loop */
         while (passed != 0U) {
             const uint32_t x = x0 + ocel_ctz32(passed);
-            const ocel_pixel_t rgb = read_yuyv(line, x);
+            const ocel_pixel_t rgb = rgb_of_yuyv(line, x);
 
             passed &= passed - 1U;
             decide(colour, &rgb, x, row);

@@ -18,6 +18,14 @@ typedef struct {
  * largest 255.  p <= 65535. */
 ocel_pixel_t ocel_pixel_from_rgb565(uint32_t p);
 
+/* Y, U and V of pixel x of a YUYV line. */
+static inline ocel_pixel_t ocel_pixel_of_yuyv(const uint8_t *line, uint32_t x) {
+    const uint8_t *const pair = &line[4U * (x >> 1U)];
+    const ocel_pixel_t yuv = {{pair[2U * (x & 1U)], pair[1], pair[3]}};
+
+    return yuv;
+}
+
 /* Y, U and V from R, G and B: full-range BT.601 (JFIF) in 1/256, with the weights
  * 77 150 29, -43 -85 128 and 128 -107 -21.  These sum to 256, 0 and 0, so a grey
  * pixel is (its grey, 128, 128) exactly.  To the nearest integer: Y with halves

@@ -56,14 +56,6 @@ ocel_status_t ocel_teach_begin(ocel_teach_t *teach, ocel_space_t space, ocel_for
 
 /* ---- Reading pixels ---- */
 
-/* Y, U, V of pixel x of a YUYV line. */
-static ocel_pixel_t read_yuyv(const uint8_t *line, uint32_t x) {
-    const uint8_t *const pair = &line[4U * (x >> 1U)];
-    const ocel_pixel_t yuv = {{pair[2U * (x & 1U)], pair[1], pair[3]}};
-
-    return yuv;
-}
-
 /* R, G, B of pixel x. */
 static ocel_pixel_t read_as_rgb(ocel_format_t format, const uint8_t *line, uint32_t x) {
     ocel_pixel_t rgb;
@@ -71,7 +63,7 @@ static ocel_pixel_t read_as_rgb(ocel_format_t format, const uint8_t *line, uint3
     if (format == OCEL_FORMAT_RGB565) {
         rgb = ocel_pixel_from_rgb565(ocel_load16(&line[2U * x]));
     } else if (format == OCEL_FORMAT_YUYV) {
-        const ocel_pixel_t yuv = read_yuyv(line, x);
+        const ocel_pixel_t yuv = ocel_pixel_of_yuyv(line, x);
 
         rgb = ocel_pixel_from_yuv(&yuv);
     } else {
@@ -138,7 +130,7 @@ static void count_pixel(ocel_teach_t *teach, const uint8_t *line, uint32_t x) {
         count_channels(teach, &pixel);
     } else {
         /* YUV, and grey, which is its Y. */
-        pixel = is_yuyv ? read_yuyv(line, x) : read_as_rgb(teach->format, line, x);
+        pixel = is_yuyv ? ocel_pixel_of_yuyv(line, x) : read_as_rgb(teach->format, line, x);
         pixel = is_yuyv ? pixel : ocel_pixel_to_yuv(&pixel);
         count_channels(teach, &pixel);
     }

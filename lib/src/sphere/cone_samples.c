@@ -11,14 +11,14 @@
 #define E_MAX_Q13 32767
 
 /* |side| <= SIDE_MAX_Q13, by one comparison. */
-static bool is_within(int32_t side_q13) {
+static bool is_side_within(int32_t side_q13) {
     return ((uint32_t)side_q13 + SIDE_MAX_Q13) <= (2U * SIDE_MAX_Q13);
 }
 
 /* Of a sample that lies too far out to be a number: outside of every cone. */
 static void put_sample(ocel_cone_samples_t *samples, uint32_t i, int32_t u_q13, int32_t v_q13,
                        int32_t e_q13) {
-    const bool near = is_within(u_q13) && is_within(v_q13) && (e_q13 < E_MAX_Q13);
+    const bool near = is_side_within(u_q13) && is_side_within(v_q13) && (e_q13 < E_MAX_Q13);
 
     samples->u_q13[i] = near ? (int16_t)u_q13 : (int16_t)0;
     samples->v_q13[i] = near ? (int16_t)v_q13 : (int16_t)0;
