@@ -175,15 +175,24 @@ class Flow:
     def successors(self, place):
         return [edge.target for edge in self.edges[place] if edge.target is not EXIT]
 
-    def is_in_every_round(self, loop, place):
-        """Whether every way from a loop's header back to it goes through a place."""
+    def _reached_before(self, loop, place):
+        """Places of a loop that its header comes to without going through a place."""
         reached, waiting = set(), [loop.header]
         while waiting:
             at = waiting.pop()
             if at != place and at not in reached:
                 reached.add(at)
                 waiting += [t for t in self.successors(at) if t in loop.body and t != loop.header]
-        return not reached & loop.latches
+        return reached
+
+    def is_in_every_round(self, loop, place):
+        """Whether every way from a loop's header back to it goes through a place."""
+        return not self._reached_before(loop, place) & loop.latches
+
+    def is_in_the_last_round(self, loop, place):
+        """Whether every way from a loop's header out of it goes through a place, too."""
+        return not any(edge.target not in loop.body
+                       for at in self._reached_before(loop, place) for edge in self.edges[at])
 
     def first_of(self, places):
         """Of some places that which is fewest blocks away from the entry."""

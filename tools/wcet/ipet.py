@@ -68,6 +68,12 @@ class _Clone:
         return clone
 
 
+    def whole_of(self, clause):
+        """The clone over whose call a clause adds up, if this one is among what it counts."""
+        if clause.through and not self.is_called_by((clause.through,)):
+            return None
+        return self.within(clause.names)
+
     def is_called_by(self, names):
         """Whether it is executed for a call of one of these, be they inlined or not."""
         clone = self
@@ -293,12 +299,15 @@ class Analysis:
 
     def _rounds_of(self, clone, group):
         """Terms whose sum is a group's rounds: executions of a block of the body that no round
-        goes past, or what goes back."""
+        goes past, nor the last if there is such a block, or what goes back."""
         outermost, loops = group
         if len(loops) == 1:
-            for place in self.matched(clone.flow.name)[outermost].bodies:
-                if clone.flow.is_in_every_round(outermost, place):
-                    return [(v, 1.0) for v in clone.into[place]]
+            places = [place for place in sorted(self.matched(clone.flow.name)[outermost].bodies)
+                      if clone.flow.is_in_every_round(outermost, place)]
+            last = [place for place in places
+                    if clone.flow.is_in_the_last_round(outermost, place)]
+            if places:
+                return [(v, 1.0) for v in clone.into[(last + places)[0]]]
         terms = [(v, 1.0) for loop in loops for v in clone.going_back(loop)]
         if outermost.header in self.matched(clone.flow.name)[outermost].bodies:
             terms += [(v, 1.0) for v in clone.entering(outermost)]
@@ -348,7 +357,7 @@ class Analysis:
             for group in self._groups(clone):
                 bound = self.matched(clone.flow.name)[group[0]]
                 for clause, limit in bound.limits:
-                    whole = clone.within(clause.names)
+                    whole = clone.whole_of(clause)
                     if clause.scope == "mean" and whole:
                         most.add(self._rounds_of(clone, group) +
                                  [(v, -float(limit)) for v in clone.entering(group[0])])
@@ -366,7 +375,7 @@ class Analysis:
         for clone in clones:
             for note, path, calls, others, looping in self.statements(clone.flow.name):
                 for clause in note.clauses:
-                    whole = clone.within(clause.names)
+                    whole = clone.whole_of(clause)
                     if clause.group and whole:
                         limit = self.matcher.annotations.value(path, clause)
                         if calls or others:
@@ -406,7 +415,7 @@ class Analysis:
         """Variables that count for how often a statement's limit holds anew; none where it
         does not hold."""
         if clause.scope == "total":
-            whole = clone.within(clause.names)
+            whole = clone.whole_of(clause)
             return [whole.entry] if whole else []
         around = [loop for loop in clone.flow.loops if place in loop.body]
         if not around:

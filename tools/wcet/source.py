@@ -19,7 +19,8 @@ place at its end for which it holds:
   E words each time in a call of NAME           each time, when that function is calling
   E words a time in a call of NAME              times E as often as it is come to, added up
 
-NAME may be several, with `or` between.
+NAME may be several, with `or` between; `through OTHER` after it leaves only what is executed
+for a call of that function, inlined or not.
 """
 import collections
 import pathlib
@@ -32,13 +33,15 @@ _ATOM = r"\(*\s*(?:sizeof\(\w+\)|(?:\d+U?|[A-Z][A-Z0-9_]*)\b)(?:\s*\))*"
 EXPRESSION = re.compile(rf"{_ATOM}(?:\s*[-+*/]\s*{_ATOM})*")
 VALUE = re.compile(r"\s*=\s*(\d+)\b")
 OUTER = re.compile(r"\bin all rounds of the outer loop$")
-CALL = re.compile(r"(\b(?:each|a) time )?(?:\bas (\w+) )?\bin a call of (\w+(?: or \w+)*)$")
+CALL = re.compile(r"(\b(?:each|a) time )?(?:\bas (\w+) )?\bin a call of (\w+(?: or \w+)*)"
+                  r"(?: through (\w+))?$")
 _SCOPES = {None: "total", "each time ": "each", "a time ": "mean"}
 WORDS = re.compile(r"[a-z0-9 ,'()-]*$")
 
-Clause = collections.namedtuple("Clause", "expression value scope names group")
+Clause = collections.namedtuple("Clause", "expression value scope names group through")
 """scope: entry (each time), outer (in all rounds of the outer loop), total, each or mean (in a
-call of one of the functions `names`); value: what `= N` says; group: of a total, or None."""
+call of one of the functions `names`); value: what `= N` says; group: of a total, or None; through: the function through
+which it is called, or None."""
 
 Note = collections.namedtuple("Note", "kind first last clauses")
 """A comment: kind is bound, at most or bytes; its lines, from 1."""
@@ -76,17 +79,18 @@ def read_clause(text):
     rest = text[match.end():]
     value = VALUE.match(rest)
     rest = rest[value.end() if value else 0:].strip()
-    scope, names, group = "entry", (), None
+    scope, names, group, through = "entry", (), None, None
     call, outer = CALL.search(rest), OUTER.search(rest)
     if outer:
         scope, rest = "outer", rest[:outer.start()]
     elif call:
         scope, group = _SCOPES[call.group(1)], call.group(2)
-        names, rest = tuple(call.group(3).split(" or ")), rest[:call.start()]
+        names, through = tuple(call.group(3).split(" or ")), call.group(4)
+        rest = rest[:call.start()]
     if not WORDS.match(rest):
         raise Malformed(f"`{rest}` after the expression: words only")
     return Clause(match.group().strip(), int(value.group(1)) if value else None, scope, names,
-                  group)
+                  group, through)
 
 
 _FIRST = {"bound": ("entry", "outer"), "bytes": ("entry",), "at most": ("entry", "total")}

@@ -139,7 +139,8 @@ uint32_t ocel_frontier_settle(ocel_labeller_t *lab, ocel_crack_pool_t *pool, oce
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as runs in a call of ocel_eye_frame;
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as places in a call of ocel_eye_frame;
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as sums in a call of ocel_eye_frame;
-     * 3 * OCEL_MAX_RUNS as absorbed in a call of ocel_label_row;
+     * OCEL_MAX_RUNS as absorbed in a call of ocel_label_row through sweep_asked;
+     * OCEL_MAX_RUNS as next in a call of ocel_label_row through sweep_asked;
      * 2 * OCEL_MAX_RUNS as absorbed in a call of ocel_label_end;
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as absorbed in a call of ocel_eye_frame */
     run->label = (uint16_t)root;
@@ -195,7 +196,8 @@ static void end_run(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_run_t *r
     if ((live & ~OCEL_LOST) == 0U) {
         /* at most: 1; OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as labels in a call of ocel_eye_frame;
          * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as lives in a call of ocel_eye_frame;
-         * 3 * OCEL_MAX_RUNS as labels in a call of ocel_label_row;
+         * OCEL_MAX_RUNS as labels in a call of ocel_sweep_row;
+         * 2 * OCEL_MAX_RUNS as labels in a call of ocel_label_row;
          * 2 * OCEL_MAX_RUNS as labels in a call of ocel_label_end */
         end_component(lab, pool, root, head, tail, ended);
     } else if (head != OCEL_NO_CELL) {

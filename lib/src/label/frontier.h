@@ -55,8 +55,9 @@
  *             twice, 2 h n.
  *
  * A call of ocel_label_row that is asked what has ended sweeps over two rows, of which only
- * the first may be repeated; one of ocel_label_end over one and over nothing.  So absorbed
- * and labels are 3 n and 2 n, and S, K and repeats (born) are too. */
+ * the first may be repeated; one of ocel_label_end over one and over nothing.  So K and A of
+ * the first with S of the second are n each (next, absorbed), U and ends with K of the first
+ * 2 n (labels), and K, S and repeats 3 n and 2 n (born). */
 
 /* No label: ends the lists of free and of merged labels. */
 #define OCEL_NO_LABEL 0x7FFFU

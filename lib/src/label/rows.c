@@ -12,6 +12,12 @@
 #include "specks.h"
 #include "sweep.h"
 
+/* Sweeps over the row that was held above, as it is. */
+static void sweep_asked(ocel_labeller_t *lab, ocel_crack_pool_t *pool, ocel_ended_t *ended) {
+    lab->above = (uint16_t)ocel_specks_row(lab, 1U);
+    ocel_sweep_row(lab, pool, NULL, ended);
+}
+
 /* Takes a row whose first word with a pixel is `first` or beyond; past its words, or
  * null, it has none. */
 static void hold_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32_t *row,
@@ -30,10 +36,9 @@ static void hold_row(ocel_labeller_t *lab, ocel_crack_pool_t *pool, const uint32
     }
     lab->held_empty = is_empty ? 1U : 0U;
     if ((ended->blob != NULL) || (row == NULL)) {
-        lab->above = (uint16_t)ocel_specks_row(lab, 1U);
         /* at most: 1 in a call of ocel_label_row or ocel_label_end; 0 in a call of ocel_eye_row;
          * 0 in a call of ocel_eye_line; 1 in a call of ocel_eye_frame */
-        ocel_sweep_row(lab, pool, NULL, ended);
+        sweep_asked(lab, pool, ended);
     }
 }
 

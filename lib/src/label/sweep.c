@@ -93,7 +93,8 @@ static inline void absorb_parent(ocel_labeller_t *lab, ocel_crack_pool_t *pool, 
     if (!is_hole) {
         /* at most: OCEL_MAX_RUNS in a call of ocel_sweep_row or ocel_label_end;
          * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as labels in a call of ocel_eye_frame;
-         * 3 * OCEL_MAX_RUNS as labels in a call of ocel_label_row;
+         * OCEL_MAX_RUNS as labels in a call of ocel_sweep_row;
+         * 2 * OCEL_MAX_RUNS as labels in a call of ocel_label_row;
          * 2 * OCEL_MAX_RUNS as labels in a call of ocel_label_end;
          * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as united in a call of ocel_eye_frame;
          * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as lives in a call of ocel_eye_frame;
@@ -125,7 +126,7 @@ static inline void continue_component(ocel_labeller_t *lab, ocel_crack_pool_t *p
      * OCEL_MAX_RUNS in a call of ocel_label_end */
     while ((touch_end > s->reach_end) && (s->parent->start < touch_end)) {
         /* at most: 1; OCEL_MAX_RUNS + OCEL_MAX_RUNS / 2 as joins in a call of ocel_sweep_row;
-         * 3 * OCEL_MAX_RUNS as absorbed in a call of ocel_label_row;
+         * OCEL_MAX_RUNS as absorbed in a call of ocel_label_row through ocel_specks_sweep;
          * 2 * OCEL_MAX_RUNS as absorbed in a call of ocel_label_end;
          * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as absorbed in a call of ocel_eye_frame;
          * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as united in a call of ocel_eye_frame */
@@ -142,7 +143,8 @@ static inline void continue_component(ocel_labeller_t *lab, ocel_crack_pool_t *p
      * 2 * OCEL_MAX_RUNS as born in a call of ocel_label_end;
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as runs in a call of ocel_eye_frame;
      * OCEL_MAX_HEIGHT * OCEL_MAX_RUNS as labels in a call of ocel_eye_frame;
-     * 3 * OCEL_MAX_RUNS as labels in a call of ocel_label_row;
+     * OCEL_MAX_RUNS as next in a call of ocel_label_row through ocel_specks_sweep;
+     * 2 * OCEL_MAX_RUNS as labels in a call of ocel_label_row through ocel_specks_sweep;
      * 2 * OCEL_MAX_RUNS as labels in a call of ocel_label_end;
      * (OCEL_MAX_HEIGHT + 1) * OCEL_MAX_RUNS as fates in a call of ocel_eye_frame */
     s->child->head = (uint16_t)pair.head;
