@@ -109,6 +109,43 @@ uint32_t case_rare(const volatile uint32_t *v) {
     return sum;
 }
 
+/* A binary counter: bits that change, two each time in the mean. */
+uint32_t case_counter(const volatile uint32_t *v) {
+    uint32_t sum = 0U;
+    uint32_t count = 0U;
+    for (uint32_t i = 0U; i < (uint32_t)PLACES; i++) { /* bound: PLACES */
+        uint32_t bit = 1U;
+        do { /* bound: 5 bits; 2 a time in a call of case_counter */
+            sum = (sum >> 1U) ^ v[bit & 7U];
+            count ^= bit;
+            bit <<= 1U;
+        } while ((count & (bit >> 1U)) == 0U);
+    }
+    return sum;
+}
+
+__attribute__((noinline)) uint32_t case_sum(const volatile uint32_t *v, uint32_t n) {
+    uint32_t sum = 0U;
+    /* bound: PLACES; 2 in a call of case_through through case_few */
+    for (uint32_t i = 0U; i < n; i++) {
+        sum = (sum >> 2U) ^ v[i];
+    }
+    return sum;
+}
+
+__attribute__((noinline)) uint32_t case_many(const volatile uint32_t *v) {
+    return case_sum(v, (uint32_t)PLACES) + 1U;
+}
+
+__attribute__((noinline)) uint32_t case_few(const volatile uint32_t *v) {
+    return case_sum(v, 2U) + 3U;
+}
+
+/* The same loop, longer one way than the other. */
+uint32_t case_through(const volatile uint32_t *v) {
+    return case_many(v) ^ case_few(v);
+}
+
 uint32_t case_divide(uint32_t a, uint32_t b) {
     return a / b;
 }

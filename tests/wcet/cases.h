@@ -20,6 +20,11 @@ uint32_t case_calls(const volatile uint32_t *v);
 uint32_t case_bits(uint32_t bits);
 uint32_t case_shared(const volatile uint32_t *v, uint32_t lefts);
 uint32_t case_rare(const volatile uint32_t *v);
+uint32_t case_counter(const volatile uint32_t *v);
+uint32_t case_sum(const volatile uint32_t *v, uint32_t n);
+uint32_t case_many(const volatile uint32_t *v);
+uint32_t case_few(const volatile uint32_t *v);
+uint32_t case_through(const volatile uint32_t *v);
 uint32_t case_divide(uint32_t a, uint32_t b);
 uint32_t case_wrong(const volatile uint32_t *v, uint32_t count);
 

@@ -54,6 +54,7 @@ int main(void) {
         values[i] = i + 100U;
     }
     case_result += case_rare(values) + case_wrong(values, PLACES);
+    case_result += case_counter(values) + case_through(values);
     divide_all();
     copy_all();
     return 0;

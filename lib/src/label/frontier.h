@@ -64,7 +64,7 @@
 
 /* The label of a run that is a component by itself so far.  It has neither a
  * label nor sums nor cells until it meets a child: most of what noise consists
- * of never does.  As a label it is none's own root. */
+ * of never does.  It is the root of itself alone. */
 #define OCEL_NEWBORN ((uint32_t)OCEL_MAX_LABELS)
 
 /* Flag in live[]: at a root, the boundary is lost (the count itself is at most
